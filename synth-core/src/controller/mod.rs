@@ -1,0 +1,63 @@
+//! The controller: a deterministic machine over environment events and super steps, and what is made of it.
+
+pub mod tables;
+
+/// An event of the controlled system, taken apart.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Event {
+    /// `sender -> receiver.operation(a, b)`; the order of tables is the byte order of these texts.
+    pub text: String,
+    /// Sending object.
+    pub sender: String,
+    /// Receiving object.
+    pub receiver: String,
+    /// Operation.
+    pub operation: String,
+    /// Arguments as they stand in the text.
+    pub arguments: Vec<String>,
+}
+
+/// A component: an object that is not controllable and receives system events.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Component {
+    /// The object's name.
+    pub object: String,
+    /// Its commands, as indices into [`Controller::commands`], in table order; code `i + 1` is `commands[i]`.
+    pub commands: Vec<u32>,
+}
+
+/// One row of the super steps.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct SuperStep {
+    /// The state in which it is due.
+    pub source: u32,
+    /// The state after it.
+    pub target: u32,
+    /// Its system events in order, as indices into [`Controller::commands`]; never empty, and at most one of each
+    /// component.
+    pub events: Vec<u32>,
+}
+
+/// A controller, already split (at most one command per component in a super step).
+///
+/// A state has environment rows or one super step, never both; an extra state between two parts of a split super
+/// step has only the super step.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Controller {
+    /// States are `0..states`.
+    pub states: u32,
+    /// The initial one.
+    pub initial: u32,
+    /// Environment events of the whole explored graph, in table order.
+    pub events: Vec<Event>,
+    /// System events of the whole explored graph, in table order, those between controllable objects too.
+    pub commands: Vec<Event>,
+    /// Components in order of their names.
+    pub components: Vec<Component>,
+    /// Per environment event its rows `(source, target)`, sources ascending.
+    pub environment: Vec<Vec<(u32, u32)>>,
+    /// In ascending order of their sources.
+    pub super_steps: Vec<SuperStep>,
+    /// Per state: the environment events (indices, ascending) that assumptions promise there.
+    pub owed: Vec<Vec<u32>>,
+}
