@@ -1,6 +1,9 @@
 //! The controller: a deterministic machine over environment events and super steps, and what is made of it.
 
+mod alphabet;
 pub mod tables;
+
+pub use alphabet::{Alphabet, Letter};
 
 /// An event of the controlled system, taken apart.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

@@ -3,8 +3,10 @@
 //! Flat arrays with `u32` ids throughout; 10^7 states are meant to fit.
 
 mod keysets;
+mod strategy;
 
 pub use keysets::{KeySets, KeySetsBuilder};
+pub use strategy::Strategy;
 
 /// Whose turn it is in a state, by the rules of the language reference, section 4 (cases 1 to 6).
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

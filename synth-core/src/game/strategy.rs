@@ -1,0 +1,32 @@
+//! A winning strategy as a graph.
+
+/// A deterministic strategy with memory, as the graph of its plays.
+///
+/// A node is a game state together with what the controller remembers there. A node whose game state is the
+/// system's has exactly one edge (the choice); a node of the environment has all edges of its game state, in their
+/// order. Edges of node `n` are `first[n]..first[n + 1]`. Nodes are numbered breadth first from `initial` = 0.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Strategy {
+    /// Per node: the game state.
+    pub state: Vec<u32>,
+    /// Offsets into the edge arrays, one more than there are nodes.
+    pub first: Vec<u32>,
+    /// Per edge: the edge of the game.
+    pub edge: Vec<u32>,
+    /// Per edge: the node it leads to.
+    pub target: Vec<u32>,
+}
+
+impl Strategy {
+    /// Number of nodes.
+    #[must_use]
+    pub fn nodes(&self) -> usize {
+        self.state.len()
+    }
+
+    /// The edges that leave `node`.
+    #[must_use]
+    pub fn edges_of(&self, node: u32) -> std::ops::Range<usize> {
+        self.first[node as usize] as usize..self.first[node as usize + 1] as usize
+    }
+}
