@@ -5,5 +5,8 @@
 
 pub mod controller;
 pub mod diagnostic;
+pub mod explore;
 pub mod game;
+pub mod model;
+pub mod playout;
 pub mod syntax;
