@@ -107,19 +107,17 @@ fn state(states: usize, key_count: u32, demanding: bool) -> impl Strategy_<Value
 }
 
 fn random_game() -> impl Strategy_<Value = Game> {
-    (1..=10usize, 0..=3u32, 0..=3u32, any::<bool>()).prop_flat_map(
-        |(states, assumptions, guarantees, lost)| {
-            proptest::collection::vec(state(states, assumptions + guarantees), states).prop_map(
-                move |mut listed| {
-                    for turn in [Turn::Won, if lost { Turn::Lost } else { Turn::EnvironmentAny }] {
-                        let silent = turn == Turn::EnvironmentAny;
-                        listed.push(State { turn, silent, open: Vec::new(), edges: Vec::new() });
-                    }
-                    game(&listed, assumptions, guarantees)
-                },
-            )
-        },
-    )
+    let sizes = (1..=10usize, 0..=3u32, 0..=3u32, any::<bool>(), any::<bool>());
+    sizes.prop_flat_map(|(states, assumptions, guarantees, demanding, lost)| {
+        let state = state(states, assumptions + guarantees, demanding);
+        proptest::collection::vec(state, states).prop_map(move |mut listed| {
+            for turn in [Turn::Won, if lost { Turn::Lost } else { Turn::EnvironmentAny }] {
+                let silent = turn == Turn::EnvironmentAny;
+                listed.push(State { turn, silent, open: Vec::new(), edges: Vec::new() });
+            }
+            game(&listed, assumptions, guarantees)
+        })
+    })
 }
 
 proptest! {
