@@ -1,0 +1,1 @@
+//! Games made by hand.
