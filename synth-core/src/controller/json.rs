@@ -89,7 +89,7 @@ pub fn from_json(text: &str) -> Result<Controller, String> {
         document.environment.0.iter().map(|(_, rows)| rows.len()).sum::<usize>() + document.supersteps.len();
     let states = document.states;
     if document.initial >= states {
-        return Err(not_below("initial", "initial state", document.initial, states));
+        return Err(not_below("initial", "state", document.initial, states));
     }
     if states as usize > MAX_BARE_STATES.saturating_add(2 * rows) {
         return Err(format!("`states` is {states}, but there are only {rows} rows"));
@@ -168,6 +168,10 @@ fn parse(text: &str) -> Result<Document, String> {
     #[derive(serde::Deserialize)]
     struct Version {
         version: u32,
+    }
+    // Fields in their order would pass for the object otherwise.
+    if text.trim_start().starts_with('[') {
+        return Err("invalid type: array, expected a controller as an object at line 1".to_owned());
     }
     let other_version = |version| format!("`version` is {version}, but only {VERSION} is known");
     match serde_json::from_str::<Document>(text) {
@@ -491,8 +495,8 @@ mod tests {
 
     #[test]
     fn states_out_of_range() {
-        check_error(r#""states":4"#, r#""states":0"#, "initial: initial state 0 is not below `states` 0");
-        check_error(r#""initial":0"#, r#""initial":4"#, "initial: initial state 4 is not below `states` 4");
+        check_error(r#""states":4"#, r#""states":0"#, "initial: state 0 is not below `states` 0");
+        check_error(r#""initial":0"#, r#""initial":4"#, "initial: state 4 is not below `states` 4");
         check_error(
             "[2,1]]",
             "[4,1]]",
@@ -591,7 +595,7 @@ mod tests {
 
     #[test]
     fn what_is_no_controller() {
-        for text in ["", "null", "[]", "{", "{}", "1", "\u{0}", "[1,2,0,{},[],{},{}] x"] {
+        for text in ["", "null", "[]", "{", "{}", "1", "\u{0}", "[1,2,0,{},[],{},{}]"] {
             let message = from_json(text).expect_err(text);
             assert!(!message.contains('\n') && message.contains("line"), "{message}");
         }

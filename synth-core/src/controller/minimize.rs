@@ -88,21 +88,23 @@ fn bisimulation(controller: &Controller, rows: &Rows) -> Vec<u32> {
     let states = controller.states;
     let (incoming, by_target) = bucket(&rows.target, states);
     let (labels, count) = labels(controller);
-    let mut cords = Partition::new(labels, count);
-    let mut blocks = Partition::new(vec![0; states as usize], 1);
+    // Rows go by their place in `by_target` here, so that those into a state are neighbours.
+    let pick = |per_row: &[u32]| -> Vec<u32> { by_target.iter().map(|&row| per_row[row as usize]).collect() };
+    let source = pick(&rows.source);
+    let mut cords = Partition::new(&pick(&labels), count);
+    let mut blocks = Partition::new(&vec![0; states as usize], 1);
     let mut cord = 0;
     // Block 0 splits no cord: every row leads into it.
     let mut block = 1;
     while cord < cords.sets() {
         for &row in cords.elements(cord) {
-            blocks.mark(rows.source[row as usize]);
+            blocks.mark(source[row as usize]);
         }
         blocks.split();
         cord += 1;
         while block < blocks.sets() {
             for &state in blocks.elements(block) {
-                let into = incoming[state as usize] as usize..incoming[state as usize + 1] as usize;
-                for &row in &by_target[into] {
+                for row in incoming[state as usize]..incoming[state as usize + 1] {
                     cords.mark(row);
                 }
             }
