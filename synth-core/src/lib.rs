@@ -8,5 +8,7 @@ pub mod diagnostic;
 pub mod explore;
 pub mod game;
 pub mod model;
+pub mod pipeline;
 pub mod playout;
 pub mod syntax;
+pub mod verify;

@@ -143,6 +143,12 @@ codes! {
     TooLarge = 32, "a scenario that is too large",
         "A scenario can have 65,534 fragments. Split it.\n";
 
+    MissingImport = 33, "an imported file that cannot be read",
+        "The path of an `import` is relative to the file that it stands in.\n";
+    CyclicImport = 34, "files that import each other",
+        "Imports must not form a circle. The error is at the string that closes it. A file that is imported several \
+         times is merged once, so common parts can be imported wherever they are needed.\n";
+
     PlayOutRange = 50, "a value that leaves its range during play-out",
         "Some play reaches a state in which an event that can really happen gives an attribute, a variable or an \
          argument a value outside its range. The play is shown. Widen the range, or forbid the event there with a \

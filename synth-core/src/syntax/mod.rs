@@ -7,6 +7,7 @@
 pub mod ast;
 mod keywords;
 mod lexis;
+mod load;
 mod parse;
 mod print;
 mod sources;
@@ -17,6 +18,7 @@ use proc_macro2::TokenStream;
 
 use crate::diagnostic::{Code, Diagnostic};
 
+pub use load::{Loaded, Reader, load, load_imports};
 pub use print::print;
 pub use sources::Sources;
 pub use span::{FileId, Pos, Span};
