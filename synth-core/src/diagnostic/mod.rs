@@ -1,8 +1,16 @@
 //! Diagnostics are values: a stable code, a place, a message and what to do. Renderers live beside them.
 
 mod code;
+#[cfg(feature = "json")]
+mod json;
+mod render;
+mod tokens;
 
 pub use code::Code;
+#[cfg(feature = "json")]
+pub use json::to_json;
+pub use render::render;
+pub use tokens::compile_errors;
 
 use crate::syntax::Span;
 

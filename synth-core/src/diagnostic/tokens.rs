@@ -1,0 +1,139 @@
+//! Diagnostics for the compiler: `compile_error!` at the tokens they are about.
+
+use proc_macro2::{LineColumn, Span, TokenStream, TokenTree};
+use quote::quote_spanned;
+
+use super::{Diagnostic, Severity};
+use crate::syntax::Pos;
+
+/// One `::core::compile_error!{"…"}` for each error; warnings are left out, since a macro cannot warn.
+///
+/// Each stands at the token of `tokens`, the macro's input, that begins where the diagnostic does, as far as the
+/// compiler can tell; at the macro's call if there is none.
+#[must_use]
+pub fn compile_errors(diagnostics: &[Diagnostic], tokens: &TokenStream) -> TokenStream {
+    let errors = diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
+    errors
+        .map(|diagnostic| {
+            let text = text(diagnostic);
+            let span = place(diagnostic, tokens);
+            quote_spanned!(span=> ::core::compile_error! { #text })
+        })
+        .collect()
+}
+
+fn text(diagnostic: &Diagnostic) -> String {
+    let mut text = format!("[{}] {}", diagnostic.code, diagnostic.message);
+    if !diagnostic.label.is_empty() {
+        text.push_str(&format!("\n  {}", diagnostic.label));
+    }
+    for (span, label) in &diagnostic.labels {
+        text.push_str(&format!("\n  line {}, column {}: {label}", span.start.line, span.start.column));
+    }
+    for note in &diagnostic.notes {
+        text.push_str(&format!("\n  note: {note}"));
+    }
+    if let Some(help) = &diagnostic.help {
+        text.push_str(&format!("\n  help: {help}"));
+    }
+    text
+}
+
+fn place(diagnostic: &Diagnostic, tokens: &TokenStream) -> Span {
+    let mut found = Found { first: None, last: None };
+    find(tokens.clone(), diagnostic.span.start, diagnostic.span.end, &mut found);
+    match (found.first, found.last) {
+        // Stable compilers do not join; then the first token alone is marked.
+        (Some(first), Some(last)) => first.join(last).unwrap_or(first),
+        (Some(first), None) => first,
+        _ => Span::call_site(),
+    }
+}
+
+struct Found {
+    /// Of the token that begins at the start.
+    first: Option<Span>,
+    /// Of the last token that ends no later than the end.
+    last: Option<Span>,
+}
+
+fn find(tokens: TokenStream, start: Pos, end: Pos, found: &mut Found) {
+    // An explicit stack: the input may be nested deeper than the parser allows.
+    let mut pending = vec![tokens.into_iter()];
+    while let Some(trees) = pending.last_mut() {
+        let Some(tree) = trees.next() else {
+            pending.pop();
+            continue;
+        };
+        let TokenTree::Group(group) = tree else {
+            found.offer(tree.span(), start, end);
+            continue;
+        };
+        found.offer(group.span_open(), start, end);
+        found.offer(group.span_close(), start, end);
+        pending.push(group.stream().into_iter());
+    }
+}
+
+impl Found {
+    fn offer(&mut self, span: Span, start: Pos, end: Pos) {
+        let (from, to) = (pos(span.start()), pos(span.end()));
+        if from == start && self.first.is_none() {
+            self.first = Some(span);
+        }
+        if from >= start && to <= end && self.last.is_none_or(|last| pos(last.end()) < to) {
+            self.last = Some(span);
+        }
+    }
+}
+
+fn pos(at: LineColumn) -> Pos {
+    Pos { line: at.line as u32, column: at.column as u32 + 1 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::syntax::{FileId, parse_tokens};
+    use std::str::FromStr as _;
+
+    /// Where the error of the macro input `text` is reported.
+    #[track_caller]
+    fn check(text: &str, expect_column: usize, expect: &str) {
+        let tokens = TokenStream::from_str(text).expect("tokens of Rust");
+        let (_, diagnostics) = parse_tokens(tokens.clone(), FileId(0));
+        let errors = compile_errors(&diagnostics[..1], &tokens);
+        assert_eq!(errors.to_string(), format!(":: core :: compile_error ! {{ {expect:?} }}"));
+        let first = errors.into_iter().next().expect("an error");
+        assert_eq!(first.span().start().column + 1, expect_column);
+    }
+
+    #[test]
+    fn at_the_token() {
+        check(
+            "specification wait { }",
+            15,
+            "[SML0005] expected the name of the specification, found the keyword `wait`\n  \
+             note: `wait` is reserved and cannot be a name",
+        );
+    }
+
+    #[test]
+    fn at_a_closing_delimiter() {
+        check("specification X { object }", 26, "[SML0004] expected the name of the object, found `}`");
+    }
+
+    #[test]
+    fn at_the_call_if_nowhere() {
+        let (_, diagnostics) = parse_tokens(TokenStream::new(), FileId(0));
+        let errors = compile_errors(&diagnostics, &TokenStream::new()).to_string();
+        assert!(errors.contains("the file contains no specification"), "{errors}");
+    }
+
+    #[test]
+    fn warnings_are_left_out() {
+        let code = crate::diagnostic::Code::Syntax;
+        let warning = Diagnostic::warning(code, crate::syntax::Span::default(), "odd");
+        assert!(compile_errors(&[warning], &TokenStream::new()).is_empty());
+    }
+}

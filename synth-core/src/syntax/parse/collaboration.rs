@@ -1,0 +1,161 @@
+//! Collaborations: roles and scenarios.
+
+use proc_macro2::TokenTree;
+use syn::Token;
+use syn::parse::ParseStream;
+
+use super::reader::{Reader, Result};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::syntax::ast::{
+    Body, Collaboration, Constraint, ConstraintKind, Expr, Message, Name, Role, Scenario, ScenarioKind,
+};
+use crate::syntax::tokens;
+
+/// The words that begin a role or a scenario, the older ones last.
+const ITEMS: [&str; 7] =
+    ["static", "dynamic", "assumption", "guarantee", "existential", "specification", "requirement"];
+
+enum Item {
+    Role(Role),
+    Scenario(Scenario),
+}
+
+impl Reader {
+    /// `ID { role* scenario* }`.
+    pub(super) fn collaboration(&self, input: ParseStream<'_>) -> Result<Collaboration> {
+        let name = self.name(input, "the name of the collaboration")?;
+        let starts = |input: ParseStream<'_>| input.peek(Token![#]) || self.at_any(input, &ITEMS);
+        let scenario_seen = std::cell::Cell::new(false);
+        let (items, _) = self.braces(input, "`{`, roles and scenarios", |inside| {
+            Ok(self.items(inside, starts, |input| {
+                let item = if self.at_any(input, &ITEMS[..2]) {
+                    if scenario_seen.get() {
+                        let error =
+                            Diagnostic::error(Code::Syntax, self.span(input), "role behind a scenario");
+                        self.report(error.help("move all roles before the first scenario"));
+                    }
+                    Item::Role(self.role(input)?)
+                } else {
+                    scenario_seen.set(true);
+                    Item::Scenario(self.scenario(input)?)
+                };
+                self.optional_separator(input);
+                Ok(item)
+            }))
+        })?;
+        let (mut roles, mut scenarios) = (Vec::new(), Vec::new());
+        for item in items {
+            match item {
+                Item::Role(role) => roles.push(role),
+                Item::Scenario(scenario) => scenarios.push(scenario),
+            }
+        }
+        Ok(Collaboration { name, roles, scenarios })
+    }
+
+    fn role(&self, input: ParseStream<'_>) -> Result<Role> {
+        let dynamic = self.eat(input, "dynamic");
+        if !dynamic {
+            self.keyword(input, "static")?;
+        }
+        self.keyword(input, "role")?;
+        let class = self.name(input, "the class of the role")?;
+        Ok(Role { dynamic, class, name: self.name(input, "the name of the role")? })
+    }
+
+    pub(super) fn at_scenario(&self, input: ParseStream<'_>) -> bool {
+        input.peek(Token![#]) || self.at_any(input, &ITEMS[2..]) && self.then(input, "scenario")
+    }
+
+    fn scenario(&self, input: ParseStream<'_>) -> Result<Scenario> {
+        let requirement = self.requirement(input);
+        let kind = match self.word(input).as_deref() {
+            Some("assumption") => ScenarioKind::Assumption,
+            Some("guarantee" | "specification" | "requirement") => ScenarioKind::Guarantee,
+            Some("existential") => ScenarioKind::Existential,
+            _ => {
+                return Err(
+                    self.expected(input, "a role, or an assumption, guarantee or existential scenario")
+                );
+            }
+        };
+        self.skip(input);
+        self.keyword(input, "scenario")?;
+        let name = self.name(input, "the name of the scenario")?;
+        let bindings = self.bindings(input)?;
+        Ok(Scenario { requirement, kind, name, bindings, body: self.body(input)? })
+    }
+
+    /// The lines of the comment that stands here, if any.
+    fn requirement(&self, input: ParseStream<'_>) -> Vec<String> {
+        let mut lines = Vec::new();
+        while input.peek(Token![#]) && input.peek2(syn::token::Bracket) {
+            self.skip(input);
+            let attribute = input.cursor().token_tree().map(|(tree, _)| tree);
+            let text = attribute.as_ref().and_then(|tree: &TokenTree| tokens::comment_text(tree));
+            for line in text.iter().flat_map(|text| text.split('\n')) {
+                lines.push(line.strip_prefix(' ').unwrap_or(line).trim_end().to_owned());
+            }
+            self.skip(input);
+        }
+        lines
+    }
+
+    /// `(bindings [(ID = expr)*])?`, older `with dynamic bindings [(bind ID to expr)*]`.
+    fn bindings(&self, input: ParseStream<'_>) -> Result<Vec<(Name, Expr)>> {
+        if self.eat(input, "with") {
+            self.keyword(input, "dynamic")?;
+        } else if !self.at(input, "bindings") {
+            return Ok(Vec::new());
+        }
+        self.keyword(input, "bindings")?;
+        self.brackets(input, "`[` and bindings", |inside| {
+            self.list(inside, |inside| {
+                let older = self.eat(inside, "bind");
+                let role = self.name(inside, "the role to bind")?;
+                if older {
+                    self.keyword(inside, "to")?;
+                } else {
+                    self.punct(inside, Token![=], "`=` and what to bind the role to")?;
+                }
+                Ok((role, self.expr(inside)?))
+            })
+        })
+    }
+
+    /// `{ fragment* } (constraints [constraint*])?`.
+    pub(super) fn body(&self, input: ParseStream<'_>) -> Result<Body> {
+        let (fragments, span) = self.braces(input, "`{`", |inside| {
+            let mut fragments = Vec::new();
+            while !inside.is_empty() {
+                fragments.push(self.fragment(inside)?);
+                self.eat_punct(inside, Token![;]);
+            }
+            Ok(fragments)
+        })?;
+        let constraints = if self.eat(input, "constraints") {
+            self.brackets(input, "`[` and constraints", |inside| {
+                self.list(inside, |inside| self.constraint(inside))
+            })?
+        } else {
+            Vec::new()
+        };
+        Ok(Body { fragments, constraints, span })
+    }
+
+    fn constraint(&self, input: ParseStream<'_>) -> Result<Constraint> {
+        let start = self.span(input);
+        let kind = match self.word(input).as_deref() {
+            Some("forbidden") => ConstraintKind::Forbidden,
+            Some("ignore") => ConstraintKind::Ignore,
+            Some("interrupt") => ConstraintKind::Interrupt,
+            Some("consider") => ConstraintKind::Consider,
+            _ => return Err(self.expected(input, "`forbidden`, `ignore`, `interrupt` or `consider`")),
+        };
+        self.skip(input);
+        self.older_message_keyword(input);
+        let message: Message = self.message(input)?;
+        let span = start.to(message.span);
+        Ok(Constraint { kind, message, span })
+    }
+}

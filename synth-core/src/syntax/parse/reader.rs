@@ -1,0 +1,354 @@
+//! What all rules need: looking ahead, taking tokens, saying what was expected, going on after an error.
+
+use std::cell::{Cell, RefCell};
+
+use proc_macro2::TokenTree;
+use syn::Token;
+use syn::parse::{Parse, ParseBuffer, ParseStream, Peek};
+use syn::token::{Brace, Bracket, Paren};
+
+use crate::diagnostic::{Code, Diagnostic};
+use crate::syntax::ast::Name;
+use crate::syntax::{FileId, MAX_DEPTH, Span, keywords, lexis, tokens};
+
+/// A rule's tree, or why there is none.
+pub(super) type Result<T> = std::result::Result<T, Box<Diagnostic>>;
+
+/// The state of reading one file; the position is that of the `ParseStream` that each rule takes.
+pub(super) struct Reader {
+    file: FileId,
+    /// The place behind the last token.
+    end: Span,
+    errors: RefCell<Vec<Diagnostic>>,
+    /// The closing delimiters that are still to come, innermost last.
+    closing: RefCell<Vec<&'static str>>,
+    depth: Cell<usize>,
+}
+
+impl Reader {
+    pub(super) fn new(file: FileId, end: Span) -> Self {
+        Reader { file, end, errors: RefCell::default(), closing: RefCell::default(), depth: Cell::new(0) }
+    }
+
+    pub(super) fn into_errors(self) -> Vec<Diagnostic> {
+        self.errors.into_inner()
+    }
+
+    pub(super) fn report(&self, error: impl Into<Diagnostic>) {
+        self.errors.borrow_mut().push(error.into());
+    }
+
+    /// The place of the next token, or of the delimiter that closes what is being read.
+    pub(super) fn span(&self, input: ParseStream<'_>) -> Span {
+        if !input.is_empty() {
+            return tokens::place(input.span(), self.file);
+        }
+        if self.closing.borrow().is_empty() {
+            return self.end;
+        }
+        // The compiler gives a rebuilt group no place for its closing delimiter but the group's own.
+        let mut span = tokens::place(input.span(), self.file);
+        span.start = span.end;
+        span.start.column = span.end.column.saturating_sub(1).max(1);
+        span
+    }
+
+    /// From `start` to the end of the token taken last.
+    pub(super) fn since(&self, start: Span, input: ParseStream<'_>) -> Span {
+        start.to(tokens::place(input.cursor().prev_span(), self.file))
+    }
+
+    /// The next token if it is a word, keyword or not.
+    pub(super) fn word(&self, input: ParseStream<'_>) -> Option<String> {
+        input.cursor().ident().map(|(word, _)| word.to_string())
+    }
+
+    pub(super) fn at(&self, input: ParseStream<'_>, word: &str) -> bool {
+        input.cursor().ident().is_some_and(|(found, _)| found == word)
+    }
+
+    pub(super) fn at_any(&self, input: ParseStream<'_>, words: &[&str]) -> bool {
+        self.word(input).is_some_and(|found| words.contains(&found.as_str()))
+    }
+
+    /// Whether the token after the next is `word`.
+    pub(super) fn then(&self, input: ParseStream<'_>, word: &str) -> bool {
+        let next = input.cursor().token_tree().and_then(|(_, rest)| rest.ident());
+        next.is_some_and(|(found, _)| found == word)
+    }
+
+    /// Takes `word` if it is next.
+    pub(super) fn eat(&self, input: ParseStream<'_>, word: &str) -> bool {
+        self.at(input, word) && self.skip(input)
+    }
+
+    /// Takes `token` if it is next.
+    pub(super) fn eat_punct<T: Peek>(&self, input: ParseStream<'_>, token: T) -> bool
+    where
+        T::Token: Parse,
+    {
+        input.peek(token) && input.parse::<T::Token>().is_ok()
+    }
+
+    /// Takes the keyword `word`.
+    pub(super) fn keyword(&self, input: ParseStream<'_>, word: &str) -> Result<()> {
+        if self.eat(input, word) { Ok(()) } else { Err(self.expected(input, &format!("`{word}`"))) }
+    }
+
+    /// Takes `token`, described by `text` should it not come.
+    pub(super) fn punct<T: Peek>(&self, input: ParseStream<'_>, token: T, text: &str) -> Result<()>
+    where
+        T::Token: Parse,
+    {
+        if self.eat_punct(input, token) { Ok(()) } else { Err(self.expected(input, text)) }
+    }
+
+    /// Takes a name that is `what`.
+    pub(super) fn name(&self, input: ParseStream<'_>, what: &str) -> Result<Name> {
+        let Some(word) = self.word(input) else { return Err(self.expected(input, what)) };
+        let span = self.span(input);
+        if keywords::is_reserved(&word) {
+            let message = format!("expected {what}, found the keyword `{word}`");
+            let note = format!("`{word}` is reserved and cannot be a name");
+            return Err(Box::new(Diagnostic::error(Code::Reserved, span, message).note(note)));
+        }
+        if let Some(error) = keywords::name_error(&word, span) {
+            return Err(Box::new(error));
+        }
+        self.skip(input);
+        Ok(Name { text: word, span })
+    }
+
+    /// The error that `what` should come next.
+    pub(super) fn expected(&self, input: ParseStream<'_>, what: &str) -> Box<Diagnostic> {
+        let message = format!("expected {what}, found {}", self.found(input));
+        Box::new(Diagnostic::error(Code::Syntax, self.span(input), message))
+    }
+
+    fn found(&self, input: ParseStream<'_>) -> String {
+        match input.cursor().token_tree() {
+            None => match self.closing.borrow().last() {
+                Some(closing) => format!("`{closing}`"),
+                None => "the end of the file".to_owned(),
+            },
+            Some((TokenTree::Group(_), _)) if input.peek(Brace) => "`{`".to_owned(),
+            Some((TokenTree::Group(_), _)) if input.peek(Bracket) => "`[`".to_owned(),
+            Some((TokenTree::Group(_), _)) => "`(`".to_owned(),
+            Some((TokenTree::Ident(word), _)) if keywords::is_reserved(&word.to_string()) => {
+                format!("the keyword `{word}`")
+            }
+            Some((TokenTree::Punct(_), _)) => format!("`{}`", operator(input)),
+            Some((TokenTree::Literal(literal), _)) if literal.to_string().starts_with('"') => {
+                "a string".to_owned()
+            }
+            Some((token, _)) => format!("`{token}`"),
+        }
+    }
+
+    /// Takes whatever comes next; says whether there was anything.
+    pub(super) fn skip(&self, input: ParseStream<'_>) -> bool {
+        let skipped = input.step(|cursor| match cursor.token_tree() {
+            Some((_, rest)) => Ok(((), rest)),
+            None => Err(cursor.error("end of input")),
+        });
+        skipped.is_ok()
+    }
+
+    pub(super) fn skip_until(&self, input: ParseStream<'_>, found: impl Fn(ParseStream<'_>) -> bool) {
+        while !input.is_empty() && !found(input) {
+            self.skip(input);
+        }
+    }
+
+    pub(super) fn skip_to(&self, input: ParseStream<'_>, found: impl Fn(&str) -> bool) {
+        self.skip_until(input, |input| self.word(input).is_some_and(|word| found(&word)));
+    }
+
+    /// Reads items to the end of `input`. After one that fails, goes on with the next that `starts`.
+    pub(super) fn items<'a, T>(
+        &self,
+        input: ParseStream<'a>,
+        starts: impl Fn(ParseStream<'_>) -> bool,
+        item: impl Fn(ParseStream<'_>) -> Result<T>,
+    ) -> Vec<T> {
+        let mut items = Vec::new();
+        while !input.is_empty() {
+            let before = input.cursor();
+            match item(input) {
+                Ok(item) => items.push(item),
+                Err(error) => {
+                    self.report(error);
+                    if input.cursor() == before {
+                        self.skip(input);
+                    }
+                    self.skip_until(input, &starts);
+                }
+            }
+        }
+        items
+    }
+
+    /// Reads items to the end of `input`, each with an optional `,` or `;` behind it.
+    pub(super) fn list<T>(
+        &self,
+        input: ParseStream<'_>,
+        mut item: impl FnMut(ParseStream<'_>) -> Result<T>,
+    ) -> Result<Vec<T>> {
+        let mut items = Vec::new();
+        while !input.is_empty() {
+            items.push(item(input)?);
+            self.optional_separator(input);
+        }
+        Ok(items)
+    }
+
+    pub(super) fn optional_separator(&self, input: ParseStream<'_>) {
+        if !self.eat_punct(input, Token![,]) {
+            self.eat_punct(input, Token![;]);
+        }
+    }
+
+    /// Reads items to the end of `input`, with a `,` between them.
+    pub(super) fn comma_list<T>(
+        &self,
+        input: ParseStream<'_>,
+        mut item: impl FnMut(ParseStream<'_>) -> Result<T>,
+    ) -> Result<Vec<T>> {
+        let mut items = Vec::new();
+        while !input.is_empty() {
+            items.push(item(input)?);
+            if !input.is_empty() {
+                let closing = self.closing.borrow().last().copied().unwrap_or_default();
+                self.punct(input, Token![,], &format!("`,` or `{closing}`"))?;
+            }
+        }
+        Ok(items)
+    }
+
+    /// Reads `{ … }`; gives its place, too.
+    pub(super) fn braces<T>(
+        &self,
+        input: ParseStream<'_>,
+        what: &str,
+        inside: impl FnOnce(ParseStream<'_>) -> Result<T>,
+    ) -> Result<(T, Span)> {
+        if !input.peek(Brace) {
+            return Err(self.expected(input, what));
+        }
+        self.group(input, open_braces, "}", inside)
+    }
+
+    /// Reads `[ … ]`.
+    pub(super) fn brackets<T>(
+        &self,
+        input: ParseStream<'_>,
+        what: &str,
+        inside: impl FnOnce(ParseStream<'_>) -> Result<T>,
+    ) -> Result<T> {
+        if !input.peek(Bracket) {
+            return Err(self.expected(input, what));
+        }
+        Ok(self.group(input, open_brackets, "]", inside)?.0)
+    }
+
+    /// Reads `( … )`; gives its place, too.
+    pub(super) fn parens<T>(
+        &self,
+        input: ParseStream<'_>,
+        what: &str,
+        inside: impl FnOnce(ParseStream<'_>) -> Result<T>,
+    ) -> Result<(T, Span)> {
+        if !input.peek(Paren) {
+            return Err(self.expected(input, what));
+        }
+        self.group(input, open_parens, ")", inside)
+    }
+
+    fn group<'a, T>(
+        &self,
+        input: ParseStream<'a>,
+        open: fn(ParseStream<'a>) -> syn::Result<ParseBuffer<'a>>,
+        closing: &'static str,
+        inside: impl FnOnce(ParseStream<'_>) -> Result<T>,
+    ) -> Result<(T, Span)> {
+        let span = self.span(input);
+        let content = open(input).map_err(|_| self.expected(input, "an opening delimiter"))?;
+        self.closing.borrow_mut().push(closing);
+        let result = inside(&content).and_then(|result| {
+            if content.is_empty() {
+                Ok((result, span))
+            } else {
+                Err(self.expected(&content, &format!("`{closing}`")))
+            }
+        });
+        self.closing.borrow_mut().pop();
+        result
+    }
+
+    /// Runs `rule` one level deeper.
+    ///
+    /// # Errors
+    ///
+    /// [`Code::TooDeep`] at the next token: recursion through operators is as limited as that through delimiters.
+    pub(super) fn nested<T>(&self, input: ParseStream<'_>, rule: impl FnOnce() -> Result<T>) -> Result<T> {
+        if self.depth.get() >= MAX_DEPTH {
+            return Err(Box::new(lexis::too_deep(self.span(input))));
+        }
+        self.depth.set(self.depth.get() + 1);
+        let result = rule();
+        self.depth.set(self.depth.get() - 1);
+        result
+    }
+
+    /// Takes an unsigned integer, as its digits.
+    pub(super) fn digits(&self, input: ParseStream<'_>) -> Result<Option<String>> {
+        let Some((literal, _)) = input.cursor().literal() else { return Ok(None) };
+        let text = literal.to_string();
+        if !text.starts_with(|c: char| c.is_ascii_digit()) {
+            return Ok(None);
+        }
+        if let Some(error) = keywords::number_error(&text, self.span(input)) {
+            return Err(Box::new(error));
+        }
+        self.skip(input);
+        Ok(Some(text))
+    }
+}
+
+impl From<Box<Diagnostic>> for Diagnostic {
+    fn from(error: Box<Diagnostic>) -> Self {
+        *error
+    }
+}
+
+/// The operator at `input`, whole: `=>` rather than `=`.
+fn operator(input: ParseStream<'_>) -> String {
+    let mut text = String::new();
+    let mut cursor = input.cursor();
+    while let Some((punct, rest)) = cursor.punct() {
+        text.push(punct.as_char());
+        if punct.spacing() == proc_macro2::Spacing::Alone || text.len() == 3 {
+            break;
+        }
+        cursor = rest;
+    }
+    text
+}
+
+fn open_braces(input: ParseStream<'_>) -> syn::Result<ParseBuffer<'_>> {
+    let content;
+    syn::braced!(content in input);
+    Ok(content)
+}
+
+fn open_brackets(input: ParseStream<'_>) -> syn::Result<ParseBuffer<'_>> {
+    let content;
+    syn::bracketed!(content in input);
+    Ok(content)
+}
+
+fn open_parens(input: ParseStream<'_>) -> syn::Result<ParseBuffer<'_>> {
+    let content;
+    syn::parenthesized!(content in input);
+    Ok(content)
+}
