@@ -37,6 +37,8 @@ pub struct Features {
     pub ranges: bool,
     /// `channels`.
     pub channels: bool,
+    /// `existential` scenarios, which the game knows nothing of.
+    pub existential: bool,
     /// `non-spontaneous events`.
     pub non_spontaneous: bool,
     /// References that are `null` at times, and increments that may leave their range: errors of play-out become likely.
@@ -57,6 +59,7 @@ impl Features {
         parameters: false,
         ranges: false,
         channels: false,
+        existential: false,
         non_spontaneous: true,
         errors: false,
     };
@@ -74,6 +77,7 @@ impl Features {
         parameters: true,
         ranges: true,
         channels: true,
+        existential: true,
         non_spontaneous: true,
         errors: false,
     };
@@ -82,7 +86,7 @@ impl Features {
 /// What to generate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Options {
-    /// Largest number of scenarios, from 1; bodies grow a little with it too. 4 gives mostly 2 to 500 states.
+    /// Largest number of scenarios, from 1; bodies grow a little with it too. 5 gives mostly 2 to 500 states.
     pub size: usize,
     /// The part of the language.
     pub features: Features,
@@ -90,7 +94,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Options { size: 4, features: Features::FULL }
+        Options { size: 5, features: Features::FULL }
     }
 }
 

@@ -57,6 +57,8 @@ pub(super) struct Writer<'a> {
     size: usize,
     kind: Kind,
     variables: usize,
+    /// Receiver and operation of what the system is made to send: others look for it.
+    caused: Vec<(&'static str, Operation)>,
 }
 
 impl Writer<'_> {
@@ -66,24 +68,35 @@ impl Writer<'_> {
         for (role, class) in &world.roles {
             _ = writeln!(text, "    dynamic role {class} {role}");
         }
-        let count = 1 + random.below(options.size.max(1));
+        let size = options.size.max(1);
+        let count = 1 + random.below(size).max(random.below(size));
+        let mut caused = Vec::new();
         for index in 0..count {
             // The first one gives the system something to do.
             let kind = if index == 0 || random.chance(50) { Kind::Guarantee } else { Kind::Assumption };
-            let mut writer = Writer { random: &mut *random, world, size: options.size, kind, variables: 0 };
-            text.push_str(&writer.scenario(index));
+            let followed = index > 0 && options.features.existential && random.chance(6);
+            let mut writer =
+                Writer { random: &mut *random, world, size: options.size, kind, variables: 0, caused };
+            text.push_str(&writer.scenario(index, followed));
+            caused = writer.caused;
         }
         text.push_str("  }\n");
         text
     }
 
-    fn scenario(&mut self, index: usize) -> String {
-        let keyword = if self.kind == Kind::Assumption { "assumption" } else { "guarantee" };
+    /// One scenario; one that is only `followed` is existential.
+    fn scenario(&mut self, index: usize, followed: bool) -> String {
+        let keyword = match self.kind {
+            _ if followed => "existential",
+            Kind::Assumption => "assumption",
+            Kind::Guarantee => "guarantee",
+        };
         let mut known = Known::default();
         let bindings = self.bindings(&mut known);
         let body = match self.random.below(10) {
-            0..=5 => self.response(&mut known),
-            6..=7 => self.restriction(&mut known),
+            _ if index == 0 && self.random.chance(80) => self.response(&mut known),
+            0..=4 => self.response(&mut known),
+            5..=7 => self.restriction(&mut known),
             _ => {
                 let length = 1 + self.random.below(2 + self.size / 2);
                 self.body(&mut known, length)
@@ -112,6 +125,7 @@ impl Writer<'_> {
             Kind::Guarantee => (By::Environment, By::System),
             Kind::Assumption => (By::System, By::Environment),
         };
+        let outer = known.clone();
         let mut text = String::from("{ ");
         text.push_str(&self.declaration_before(known));
         text.push_str(&self.initial(known, trigger));
@@ -126,8 +140,7 @@ impl Writer<'_> {
             }
         }
         text.push('}');
-        let percent = 25;
-        text.push_str(&self.constraints(known, percent));
+        text.push_str(&self.constraints(&outer, 25));
         text
     }
 
@@ -162,17 +175,19 @@ impl Writer<'_> {
 
     /// A body of so many fragments.
     fn body(&mut self, known: &mut Known, length: usize) -> String {
+        let outer = known.clone();
         let mut text = String::from("{ ");
         for _ in 0..length {
             text.push_str(&self.fragment(known));
         }
         text.push('}');
-        text.push_str(&self.constraints(known, 25));
+        text.push_str(&self.constraints(&outer, 25));
         text
     }
 
     /// A body of its own: what happens in it is not known outside.
     fn inner(&mut self, known: &Known, begin: impl FnOnce(&mut Self, &mut Known) -> String) -> String {
+        let outer = known;
         let mut known = Known { depth: known.depth + 1, ..known.clone() };
         let mut text = String::from("{ ");
         text.push_str(&begin(self, &mut known));
@@ -180,7 +195,7 @@ impl Writer<'_> {
             text.push_str(&self.fragment(&mut known));
         }
         text.push('}');
-        text.push_str(&self.constraints(&known, 15));
+        text.push_str(&self.constraints(outer, 15));
         text
     }
 
@@ -232,7 +247,11 @@ impl Writer<'_> {
             }
             Wanted::Loop => {
                 let condition = self.guard(known, 40);
-                let body = self.inner(known, Self::own_message);
+                let body = self.inner(known, |writer, known| {
+                    let condition = writer.guard(known, 20);
+                    let wait = if condition.is_empty() { condition } else { format!("wait {condition}") };
+                    wait + &writer.own_message(known)
+                });
                 format!("while {condition}{body} ")
             }
             Wanted::Nested => format!("{} ", self.inner(known, Self::fragment)),
@@ -307,12 +326,13 @@ impl Writer<'_> {
         format!("{text} ")
     }
 
+    /// Constraints of a body; `known` is what is known where it begins.
     fn constraints(&mut self, known: &Known, percent: usize) -> String {
         if !self.random.chance(percent) {
             return String::new();
         }
-        // What is bound in the body may not be bound where the constraint is asked already: only literals there.
-        let known = Known { depth: known.depth, ..Known::default() };
+        // Bindings are evaluated before any constraint is asked.
+        let known = Known { begun: true, ..known.clone() };
         let mut text = String::from(" constraints [ ");
         for _ in 0..1 + self.random.below(2) {
             let kind = self.random.weighted(&[
@@ -335,7 +355,7 @@ impl Writer<'_> {
 
     /// Sender, receiver, operation and arguments.
     fn event(&mut self, known: &mut Known, by: By, must_be_bound: bool, may_bind: bool) -> String {
-        let device = self.device(known, must_be_bound);
+        let mut device = self.device(known, must_be_bound);
         let controller = *self.random.pick(&self.world.controllers);
         let setter =
             self.world.features.parameters && !self.world.attributes.is_empty() && self.random.chance(10);
@@ -351,7 +371,20 @@ impl Writer<'_> {
                 };
                 (sender, device, operation)
             }
-            By::System => (controller, device, self.random.pick(&self.world.outputs).clone()),
+            By::System => {
+                let mut operation = self.random.pick(&self.world.outputs).clone();
+                if !must_be_bound && !self.caused.is_empty() && self.random.chance(75) {
+                    let (receiver, caused) = self.random.pick(&self.caused).clone();
+                    operation = caused;
+                    if self.world.devices.contains(&device) && self.world.devices.contains(&receiver) {
+                        device = receiver;
+                    }
+                }
+                if must_be_bound {
+                    self.caused.push((device, operation.clone()));
+                }
+                (controller, device, operation)
+            }
             By::Environment => (device, controller, self.random.pick(&self.world.inputs).clone()),
         };
         let arguments = match operation.parameter {
@@ -380,11 +413,10 @@ impl Writer<'_> {
             // A role that `bindings` bind is not for the initial message.
             .filter(|role| known.begun || !known.bound.contains(role))
             .collect();
-        if !roles.is_empty() && self.random.chance(35) {
-            *self.random.pick(&roles)
-        } else {
-            *self.random.pick(&self.world.devices)
-        }
+        let devices = roles.is_empty() || !self.random.chance(35);
+        let choices = if devices { &self.world.devices } else { &roles };
+        let choice: &&str = self.random.pick(choices);
+        choice
     }
 
     fn argument(&mut self, known: &mut Known, ty: Ty, may_bind: bool) -> String {

@@ -72,7 +72,7 @@ impl World {
             }
         }
         let mut operations = |prefix: &str| -> Vec<Operation> {
-            let count = 1 + random.below(3);
+            let count = 1 + random.weighted(&[(15, 0), (50, 1), (35, 2)]);
             (0..count)
                 .map(|index| {
                     let parameter = features.parameters && random.chance(20);
@@ -193,7 +193,9 @@ impl World {
             let mut listed: Vec<String> = self
                 .inputs
                 .iter()
-                .filter(|_| random.chance(40))
+                // The first one happens by itself, so that something does.
+                .skip(1)
+                .filter(|_| random.chance(50))
                 .map(|operation| format!("Ctl.{}", operation.name))
                 .collect();
             for attribute in &self.attributes {
