@@ -58,14 +58,18 @@ pub fn solve(game: &Game) -> Solution {
     let mut pursuit = Pursuit::new(game, &predecessors, &assumptions);
     let super_steps = goals.len() - 1;
     let mut progress = vec![FixedBitSet::with_capacity(game.edges()); goals.len()];
-    // What a pursuit found out holds until the region shrinks: then all goals are pursued once more.
-    let (mut goal, mut settled) = (0, 0);
-    while settled < goals.len() {
-        let lost = pursuit.run(&goals[goal], &region.states, &mut progress[goal]);
-        settled += 1;
-        if !lost.is_clear() {
-            region.remove(game, &predecessors, lost);
-            settled = 0;
+    let mut settled = vec![false; goals.len()];
+    let mut goal = 0;
+    while settled.contains(&false) {
+        if !settled[goal] {
+            settled[goal] = true;
+            let lost = pursuit.run(&goals[goal], &region.states, &mut progress[goal]);
+            if !lost.is_clear() {
+                region.remove(game, &predecessors, lost);
+                for ((goal, progress), settled) in goals.iter().zip(&progress).zip(&mut settled) {
+                    *settled = *settled && keeps_progress(game, &predecessors, &region, goal, progress);
+                }
+            }
         }
         goal = (goal + 1) % goals.len();
     }
@@ -74,4 +78,25 @@ pub fn solve(game: &Game) -> Solution {
         pursuit.into_ranks()
     };
     Solution { winning: region.states, progress, remaining }
+}
+
+/// Whether what a pursuit found out still holds after the last removal from the region.
+///
+/// It does if all states that it found to be good and that are still there can still make progress. The moves of the
+/// environment need no look: they all remain, and lead to good states.
+fn keeps_progress(
+    game: &Game,
+    predecessors: &Predecessors,
+    region: &Region,
+    goal: &Acceptance,
+    progress: &FixedBitSet,
+) -> bool {
+    let stays = |edge: usize| region.states.contains(game.target[edge] as usize);
+    region.removed.iter().flat_map(|&state| predecessors.of(state)).all(|incoming| {
+        let source = incoming.source as usize;
+        !game.turn[source].is_system()
+            || !region.states.contains(source)
+            || !goal.open.contains(source)
+            || game.edges_of(incoming.source).any(|edge| progress.contains(edge) && stays(edge))
+    })
 }
