@@ -1,9 +1,9 @@
-//! Times the solver on a large game: `cargo run --release --example solve_large -- 10`.
+//! Times the solver on a large game: `cargo run --release --example solve_large -- 9`.
 //!
 //! As many jobs as the argument says run side by side. Each is started by the environment, accepted by the system,
 //! performed by the environment (an assumption), and closed by the system (a guarantee); the system may yield before
-//! it acts. That makes `2 · 4^jobs` states, which are numbered by the phases of the jobs and whether the system has
-//! yielded.
+//! it acts. A switch that the environment may flip at any time keeps it from being forced by silence alone. That makes
+//! `4 · 4^jobs` states, numbered by the phases of the jobs, the switch, and whether the system has yielded.
 
 use std::time::Instant;
 use synth_core::game::{Game, KeySetsBuilder, Turn, YIELD, extract, solve};
@@ -14,7 +14,7 @@ const ACCEPTED: usize = 2;
 const PERFORMED: usize = 3;
 
 fn main() {
-    let jobs = std::env::args().nth(1).and_then(|jobs| jobs.parse().ok()).unwrap_or(10);
+    let jobs = std::env::args().nth(1).and_then(|jobs| jobs.parse().ok()).unwrap_or(9);
     let start = Instant::now();
     let game = jobs_game(jobs);
     println!("{} states, {} edges: built in {:?}", game.states(), game.edges(), start.elapsed());
@@ -33,7 +33,8 @@ fn main() {
 fn jobs_game(jobs: u32) -> Game {
     let phase = |state: usize, job: u32| state >> (2 * job) & 3;
     let mut sets = KeySetsBuilder::default();
-    let yielded = 1 << (2 * jobs);
+    let switch = 1 << (2 * jobs);
+    let yielded = 2 * switch;
     let mut game = Game {
         initial: 0,
         turn: Vec::new(),
@@ -67,6 +68,11 @@ fn jobs_game(jobs: u32) -> Game {
             game.label.push(job);
             game.target.push(next as u32);
             game.discharged.push(discharged);
+        }
+        if !system {
+            game.label.push(jobs);
+            game.target.push((state & (yielded - 1) ^ switch) as u32);
+            game.discharged.push(0);
         }
         if system {
             game.label.push(YIELD);
