@@ -111,7 +111,8 @@ impl<'g> Pursuit<'g> {
                     region.contains(target) && (goal.accepts(discharged[edge]) || !goal.open.contains(target))
                 })
             } else {
-                // The environment does not leave the region, so `goal.open` is as good as `left`.
+                // The environment does not leave the region, so `goal.open` is as good as `left`. Where there is no
+                // choice at all, as in `Turn::Won`, the play is over and the system has not lost.
                 let stays = |&edge: &usize| {
                     !goal.accepts(discharged[edge]) && goal.open.contains(target[edge] as usize)
                 };

@@ -24,7 +24,7 @@ pub struct Solution {
     /// The states from which the system wins.
     pub winning: FixedBitSet,
     /// Per goal (the guarantees, then the one that super steps end): the edges of system states that make progress
-    /// towards it. A winning system state in which the goal's key is open has one at least.
+    /// towards it. A winning system state in which the goal's key is open has one at least, others have none.
     pub(super) progress: Vec<FixedBitSet>,
     /// Per winning system state: how many system choices the rest of the super step takes at least.
     pub(super) remaining: Vec<u32>,

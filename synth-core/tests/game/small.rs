@@ -102,6 +102,17 @@ fn the_shorter_super_step_is_preferred() {
 }
 
 #[test]
+fn progress_is_preferred_to_a_short_super_step_and_then_the_shorter_one() {
+    let states = [
+        system(&[G], [(1, &[]), (2, &[]), (3, &[])]),
+        system(&[], [(2, &[])]),
+        system(&[], [(3, &[])]),
+        environment(&[G], [(0, &[])]),
+    ];
+    check(&states, &[0, 2, 3]);
+}
+
+#[test]
 fn the_first_of_equal_moves_is_preferred() {
     check(&[system(&[], [(2, &[]), (1, &[])]), silent(&[], []), silent(&[], [])], &[0, 2]);
 }
