@@ -1,6 +1,6 @@
 //! Where a play is fair: the accepting states and edges of a key, and of the end of super steps.
 
-use super::{Game, Turn};
+use super::Game;
 use fixedbitset::FixedBitSet;
 
 /// The acceptance condition of one assumption or guarantee: it must be met infinitely often, by a state or an edge.
@@ -19,17 +19,14 @@ impl Acceptance {
     }
 
     /// The goals of the system: the guarantees, in the order of [`Game::guarantees`], and then the one that super
-    /// steps end. The state in which the system has won accepts all of them.
+    /// steps end.
     pub(super) fn goals(game: &Game) -> Vec<Acceptance> {
         let mut goals = Self::of_keys(game, &game.guarantees);
-        let mut inside_super_step = FixedBitSet::with_capacity(game.states());
+        let mut open = FixedBitSet::with_capacity(game.states());
         for (state, turn) in game.turn.iter().enumerate() {
-            match turn {
-                Turn::Won => goals.iter_mut().for_each(|goal| goal.open.set(state, false)),
-                turn => inside_super_step.set(state, turn.is_system()),
-            }
+            open.set(state, turn.is_system());
         }
-        goals.push(Acceptance { open: inside_super_step, discharging: vec![false; game.key_sets.len()] });
+        goals.push(Acceptance { open, discharging: vec![false; game.key_sets.len()] });
         goals
     }
 

@@ -189,10 +189,7 @@ impl<'a> Builder<'a> {
         candidates.extend(game.edges_of(state).filter(|&edge| solution.wins(game.target[edge])));
         for &goal in &self.orders[memory] {
             let progress = &solution.progress[goal];
-            if candidates.len() > 1
-                && self.goals[goal].open.contains(state as usize)
-                && candidates.iter().any(|&edge| progress.contains(edge))
-            {
+            if candidates.len() > 1 && candidates.iter().any(|&edge| progress.contains(edge)) {
                 candidates.retain(|&edge| progress.contains(edge));
             }
         }

@@ -5,16 +5,14 @@
 //! removed from a set `left` and given a *rank*, in two ways that alternate:
 //!
 //! * **Attraction**: a system state with an edge (inside the region) that accepts or leads to a good state; an
-//!   environment state all of whose choices do, its silence counting as a choice. Silence accepts nothing, so it
-//!   keeps a state from being attracted, but for one case: if nothing but silence is left and an assumption is open
-//!   there, then that assumption is never accepted as long as the environment is silent.
-//!   The rank is the number of steps.
+//!   environment state all of whose choices do. Silence is a choice that accepts nothing, so where the environment
+//!   may be silent nothing is attracted. The rank is the number of steps.
 //! * **Avoidance** of one assumption `A`: the largest part of `left` where `A` is open and in which the system can
 //!   keep the play, or see it go to good states, without a step that accepts `A`. It gets one rank for all, above
 //!   the ones before. A play that stays there is not fair to `A`; one that leaves it goes to a lower rank.
 //!
 //! So along moves that make *progress* (to a lower rank, or inside an avoidance without accepting its assumption)
-//! ranks never rise until the goal is accepted, and if they stay the same for ever, then at an avoidance or a silence.
+//! ranks never rise until the goal is accepted, and if they stay the same for ever, then in an avoidance.
 //!
 //! What is left in the end is the environment's: no system state has an edge to good states or one that accepts, each
 //! environment state has a choice that stays and does not, and for every `A` the environment can force its
@@ -33,8 +31,6 @@ pub(super) struct Pursuit<'g> {
     game: &'g Game,
     predecessors: &'g Predecessors,
     assumptions: &'g [Acceptance],
-    /// Per set of open keys: an assumption is among them.
-    owing: Vec<bool>,
     /// The states not known to be good.
     left: FixedBitSet,
     /// Per good state in which the goal is open: its rank, from 1.
@@ -55,18 +51,11 @@ pub(super) struct Pursuit<'g> {
 impl<'g> Pursuit<'g> {
     /// No goal is pursued yet.
     pub(super) fn new(game: &'g Game, predecessors: &'g Predecessors, assumptions: &'g [Acceptance]) -> Self {
-        let mut owing = vec![false; game.key_sets.len()];
-        for assumption in assumptions {
-            for (set, owing) in owing.iter_mut().enumerate() {
-                *owing |= assumption.accepts(set as u32);
-            }
-        }
         let states = game.states();
         Pursuit {
             game,
             predecessors,
             assumptions,
-            owing,
             left: FixedBitSet::with_capacity(states),
             rank: vec![0; states],
             good: Vec::new(),
@@ -122,12 +111,13 @@ impl<'g> Pursuit<'g> {
                     region.contains(target) && (goal.accepts(discharged[edge]) || !goal.open.contains(target))
                 })
             } else {
-                // The environment does not leave the region, so `goal.open` is as good as `left`.
+                // The environment does not leave the region, so `goal.open` is as good as `left`. Where there is no
+                // choice at all, as in `Turn::Won`, the play is over and the system has not lost.
                 let stays = |&edge: &usize| {
                     !goal.accepts(discharged[edge]) && goal.open.contains(target[edge] as usize)
                 };
                 self.choices[state] = edges.filter(stays).count() as u32 + u32::from(self.game.silent[state]);
-                self.is_without_choice(state)
+                self.choices[state] == 0
             };
             if good {
                 self.good.push(state as u32);
@@ -157,7 +147,7 @@ impl<'g> Pursuit<'g> {
                         continue;
                     }
                     self.choices[index] -= 1;
-                    if !self.is_without_choice(index) {
+                    if self.choices[index] > 0 {
                         continue;
                     }
                 }
@@ -166,13 +156,6 @@ impl<'g> Pursuit<'g> {
                 self.good.push(source);
             }
         }
-    }
-
-    /// Whether an environment state in `left` has no choice that stays and that it can take for ever.
-    fn is_without_choice(&self, state: usize) -> bool {
-        let silent = self.game.silent[state];
-        let owing = self.owing[self.game.open[state] as usize];
-        self.choices[state] == u32::from(silent) && (!silent || owing)
     }
 
     /// Marks the edges of a system state that accept the goal or lead to a lower rank.

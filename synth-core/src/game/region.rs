@@ -13,7 +13,8 @@ pub(super) struct Region {
     pub(super) states: FixedBitSet,
     /// Per system state inside: how many of its edges stay inside.
     choices: Vec<u32>,
-    queue: Vec<u32>,
+    /// The states taken out by the last removal.
+    pub(super) removed: Vec<u32>,
 }
 
 impl Region {
@@ -22,7 +23,7 @@ impl Region {
         let mut states = FixedBitSet::with_capacity(game.states());
         states.insert_range(..);
         let choices = game.first.windows(2).map(|pair| pair[1] - pair[0]).collect::<Vec<_>>();
-        let mut region = Region { states, choices, queue: Vec::new() };
+        let mut region = Region { states, choices, removed: Vec::new() };
         for (state, turn) in game.turn.iter().enumerate() {
             if *turn == Turn::Lost || turn.is_system() && region.choices[state] == 0 {
                 region.lose(state as u32);
@@ -34,6 +35,7 @@ impl Region {
 
     /// Removes the environment's attractor of `lost`.
     pub(super) fn remove(&mut self, game: &Game, predecessors: &Predecessors, lost: &FixedBitSet) {
+        self.removed.clear();
         for state in lost.ones() {
             self.lose(state as u32);
         }
@@ -41,7 +43,9 @@ impl Region {
     }
 
     fn attract(&mut self, game: &Game, predecessors: &Predecessors) {
-        while let Some(lost) = self.queue.pop() {
+        let mut next = 0;
+        while let Some(&lost) = self.removed.get(next) {
+            next += 1;
             for incoming in predecessors.of(lost) {
                 let source = incoming.source as usize;
                 if !self.states.contains(source) {
@@ -61,7 +65,7 @@ impl Region {
     fn lose(&mut self, state: u32) {
         if self.states.contains(state as usize) {
             self.states.set(state as usize, false);
-            self.queue.push(state);
+            self.removed.push(state);
         }
     }
 }

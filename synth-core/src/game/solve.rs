@@ -24,7 +24,7 @@ pub struct Solution {
     /// The states from which the system wins.
     pub winning: FixedBitSet,
     /// Per goal (the guarantees, then the one that super steps end): the edges of system states that make progress
-    /// towards it. A winning system state in which the goal's key is open has one at least.
+    /// towards it. A winning system state in which the goal's key is open has one at least, others have none.
     pub(super) progress: Vec<FixedBitSet>,
     /// Per winning system state: how many system choices the rest of the super step takes at least.
     pub(super) remaining: Vec<u32>,
@@ -58,14 +58,18 @@ pub fn solve(game: &Game) -> Solution {
     let mut pursuit = Pursuit::new(game, &predecessors, &assumptions);
     let super_steps = goals.len() - 1;
     let mut progress = vec![FixedBitSet::with_capacity(game.edges()); goals.len()];
-    // What a pursuit found out holds until the region shrinks: then all goals are pursued once more.
-    let (mut goal, mut settled) = (0, 0);
-    while settled < goals.len() {
-        let lost = pursuit.run(&goals[goal], &region.states, &mut progress[goal]);
-        settled += 1;
-        if !lost.is_clear() {
-            region.remove(game, &predecessors, lost);
-            settled = 0;
+    let mut settled = vec![false; goals.len()];
+    let mut goal = 0;
+    while settled.contains(&false) {
+        if !settled[goal] {
+            settled[goal] = true;
+            let lost = pursuit.run(&goals[goal], &region.states, &mut progress[goal]);
+            if !lost.is_clear() {
+                region.remove(game, &predecessors, lost);
+                for ((goal, progress), settled) in goals.iter().zip(&progress).zip(&mut settled) {
+                    *settled = *settled && keeps_progress(game, &predecessors, &region, goal, progress);
+                }
+            }
         }
         goal = (goal + 1) % goals.len();
     }
@@ -74,4 +78,25 @@ pub fn solve(game: &Game) -> Solution {
         pursuit.into_ranks()
     };
     Solution { winning: region.states, progress, remaining }
+}
+
+/// Whether what a pursuit found out still holds after the last removal from the region.
+///
+/// It does if all states that it found to be good and that are still there can still make progress. The moves of the
+/// environment need no look: they all remain, and lead to good states.
+fn keeps_progress(
+    game: &Game,
+    predecessors: &Predecessors,
+    region: &Region,
+    goal: &Acceptance,
+    progress: &FixedBitSet,
+) -> bool {
+    let stays = |edge: usize| region.states.contains(game.target[edge] as usize);
+    region.removed.iter().flat_map(|&state| predecessors.of(state)).all(|incoming| {
+        let source = incoming.source as usize;
+        !game.turn[source].is_system()
+            || !region.states.contains(source)
+            || !goal.open.contains(source)
+            || game.edges_of(incoming.source).any(|edge| progress.contains(edge) && stays(edge))
+    })
 }
