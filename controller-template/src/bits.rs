@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::Column;
+
 /// A set of numbers below `32 * W`; larger ones are never members.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Bits<const W: usize> {
@@ -12,6 +14,21 @@ impl<const W: usize> Bits<W> {
     /// The set whose member `32 * i + j` is bit `j` of `words[i]`.
     #[must_use]
     pub const fn new(words: [u32; W]) -> Self {
+        Bits { words }
+    }
+
+    /// The set of a state: `set_of[state]` is its position among `sets`, of `W` words each.
+    ///
+    /// Where either column ends, the set is empty.
+    #[must_use]
+    pub fn of_state(set_of: &impl Column, sets: &impl Column<Number = u32>, state: u32) -> Self {
+        let mut words = [0; W];
+        if let Some(set) = set_of.get(state as usize) {
+            let first = W.saturating_mul(set.into() as usize);
+            for (i, word) in words.iter_mut().enumerate() {
+                *word = sets.get(first.saturating_add(i)).unwrap_or(0);
+            }
+        }
         Bits { words }
     }
 
@@ -101,6 +118,17 @@ mod tests {
         set.remove(32);
         assert!(!set.contains(32) && set.contains(31));
         assert!(set.ones().eq([0, 31, 69]));
+    }
+
+    #[test]
+    fn sets_of_states() {
+        let (set_of, sets) = ([0, 1, 0, 2_u8], [1, 0, 0, 1 << 31, 7]);
+        let of = |state| Bits::<2>::of_state(&set_of, &sets, state);
+        assert_eq!(of(0), Bits::new([1, 0]));
+        assert_eq!(of(1), Bits::new([0, 1 << 31]));
+        assert_eq!(of(2), of(0));
+        assert_eq!(of(3), Bits::new([7, 0]));
+        assert!(of(4).is_empty());
     }
 
     #[test]

@@ -5,5 +5,6 @@
 
 pub mod controller;
 pub mod diagnostic;
+pub mod emit;
 pub mod game;
 pub mod syntax;

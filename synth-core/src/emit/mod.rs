@@ -1,0 +1,4 @@
+//! Back ends: tables in, text out.
+
+pub mod names;
+pub mod rust;
