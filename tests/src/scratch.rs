@@ -46,14 +46,14 @@ impl Scratch {
         fs::write(path, content)
     }
 
-    /// Runs `cargo --offline` in the crate with something on its input.
+    /// Runs `cargo`, offline, in the crate with something on its input.
     ///
     /// # Errors
     ///
     /// When `cargo` cannot be run or does not take its input.
     pub fn cargo(&self, arguments: &[&str], input: &str) -> io::Result<Output> {
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-        cargo.current_dir(&self.directory).args(arguments).arg("--offline");
+        cargo.current_dir(&self.directory).env("CARGO_NET_OFFLINE", "true").args(arguments);
         // What surrounds the test run is not the user's.
         for variable in ["CARGO_TARGET_DIR", "RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "CARGO_BUILD_TARGET"] {
             cargo.env_remove(variable);
