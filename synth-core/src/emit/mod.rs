@@ -3,4 +3,6 @@
 mod diagram;
 pub mod dot;
 pub mod mermaid;
+pub mod names;
+pub mod rust;
 pub mod st;
