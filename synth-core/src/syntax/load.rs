@@ -50,7 +50,7 @@ impl Loader<'_> {
         let id = self.loaded.sources.add(path, String::from_utf8_lossy(bytes));
         let text = match decode(bytes, id) {
             Ok(text) => text,
-            Err(diagnostic) => return self.loaded.diagnostics.push(diagnostic),
+            Err(diagnostic) => return self.loaded.diagnostics.push(*diagnostic),
         };
         let (file, diagnostics) = parse_text(text, id);
         self.loaded.diagnostics.extend(diagnostics);
