@@ -34,13 +34,22 @@ pub enum Failure {
     /// The specification is wrong.
     Wrong(Vec<Diagnostic>),
     /// No controller can meet it.
-    Unrealizable(Box<Figures>, Diagnostic),
+    Unrealizable(Box<Unrealizable>),
     /// A limit was reached.
     Limit(LimitReached),
     /// The controller did not pass verification. This is a mistake of this project, never of the specification.
     Unverified(Refutation),
     /// The solver contradicts itself. This is a mistake of this project, never of the specification.
     Inconsistent(String),
+}
+
+/// What is known of a specification that no controller can meet.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Unrealizable {
+    /// The size of the game.
+    pub figures: Figures,
+    /// The message.
+    pub diagnostic: Diagnostic,
 }
 
 /// Time spent in the stages so far, in order.
@@ -151,8 +160,8 @@ pub fn synthesize(
     timings: &mut Timings,
 ) -> Result<Verified, Failure> {
     if !solved.solution.wins(solved.explored.game.initial) {
-        let figures = solved.figures();
-        return Err(Failure::Unrealizable(Box::new(figures), unrealizable(solved)));
+        let (figures, diagnostic) = (solved.figures(), unrealizable(solved));
+        return Err(Failure::Unrealizable(Box::new(Unrealizable { figures, diagnostic })));
     }
     let Solved { explored, solution } = solved;
     let strategy = timings.stage("extract", || extract(&explored.game, solution));
