@@ -323,14 +323,16 @@ fn depth_of_tokens() {
 
 #[test]
 fn deepest_that_is_read() {
-    for (open, close, levels) in [("(", ")", 120), ("(a || b && c == d + e * (", "))", 16), ("!", "", 120)] {
+    for (open, close, levels) in
+        [("(", ")", 120), ("(a || b && c == d + e * (", "))", 17), ("!", "", 120), ("a => ", "", 120)]
+    {
         let (open, close) = (open.repeat(levels), close.repeat(levels));
         let text = format!(
             "specification X {{ collaboration C {{ guarantee scenario S {{ wait [{open}a{close}] }} }} }}"
         );
         assert_eq!(parse(&text).1, [], "{text}");
     }
-    let (open, close, not) = ("parallel { } and { ".repeat(120), "}".repeat(120), "!".repeat(120));
+    let (open, close, not) = ("parallel { } and { ".repeat(80), "}".repeat(80), "!".repeat(40));
     let text = format!(
         "specification X {{ collaboration C {{ guarantee scenario S {{ {open} wait [{not}a] {close} }} }} }}"
     );
