@@ -1,9 +1,17 @@
 //! From scenario specifications to verified controllers.
 //!
 //! The stages, one module each, in the order in which [`pipeline`] runs them:
-//! [`syntax`] → [`model`] → [`playout`]/[`explore`] → [`game`] → [`controller`] → [`verify`] → [`emit`].
+//! [`syntax`] → [`model`] → [`playout`] and [`explore`] → [`game`] → [`controller`] → [`verify`] → [`emit`].
+//! A stage knows the types of the one before and nothing further back; none of them prints, reads the environment or
+//! touches the disk.
 
 pub mod controller;
 pub mod diagnostic;
+pub mod emit;
+pub mod explore;
 pub mod game;
+pub mod model;
+pub mod pipeline;
+pub mod playout;
 pub mod syntax;
+pub mod verify;

@@ -1,5 +1,9 @@
-//! What tests share: a naive reference implementation of the language, and random specifications.
+//! What tests share: a naive reference implementation of the language, random specifications, and a reference
+//! interpreter of tables.
 
 pub mod corpus;
 pub mod naive;
 pub mod random;
+pub mod reference;
+pub mod scratch;
+pub mod tables;

@@ -1,9 +1,21 @@
 //! The controller: a deterministic machine over environment events and super steps, and what is made of it.
 
 mod alphabet;
+pub mod cycle;
+mod event_text;
+#[cfg(test)]
+mod fixtures;
+#[cfg(feature = "json")]
+pub mod json;
+pub mod minimize;
+mod partition;
+pub mod stimulus;
+pub mod super_steps;
 pub mod tables;
 
 pub use alphabet::{Alphabet, Letter};
+pub use minimize::{Level, minimize};
+pub use super_steps::merge;
 
 /// An event of the controlled system, taken apart.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

@@ -2,10 +2,19 @@
 //!
 //! Flat arrays with `u32` ids throughout; 10^7 states are meant to fit.
 
+mod acceptance;
+mod extract;
+mod fairness;
 mod keysets;
+mod predecessors;
+mod pursuit;
+mod region;
+mod solve;
 mod strategy;
 
+pub use extract::{ExtractError, extract};
 pub use keysets::{KeySets, KeySetsBuilder};
+pub use solve::{Solution, solve};
 pub use strategy::Strategy;
 
 /// Whose turn it is in a state, by the rules of the language reference, section 4 (cases 1 to 6).

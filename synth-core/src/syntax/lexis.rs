@@ -18,6 +18,8 @@ pub(super) struct Scan {
     pub(super) end: Option<Span>,
     /// From here on the structure of `readable` is a guess.
     pub(super) cut: Option<Pos>,
+    /// The tokens just behind something that became blank: what is missing before them is no news.
+    pub(super) behind_blanks: Vec<Pos>,
     /// In the order of their places, mostly.
     pub(super) errors: Vec<Diagnostic>,
 }
@@ -38,6 +40,8 @@ pub(super) fn scan(text: &str, file: FileId) -> Scan {
         suspect: None,
         cut: None,
         too_deep: false,
+        after_blank: false,
+        behind_blanks: Vec::new(),
         errors: Vec::new(),
     };
     while scanner.at < scanner.chars.len() && !scanner.too_deep {
@@ -49,6 +53,7 @@ pub(super) fn scan(text: &str, file: FileId) -> Scan {
         end: Some(scanner.span(end.start, end.end)),
         readable: (!scanner.too_deep).then(|| scanner.readable.iter().collect()),
         cut: scanner.cut,
+        behind_blanks: scanner.behind_blanks,
         errors: scanner.errors,
     }
 }
@@ -69,6 +74,9 @@ struct Scanner {
     suspect: Option<usize>,
     cut: Option<Pos>,
     too_deep: bool,
+    /// Whether an error was found since the last token.
+    after_blank: bool,
+    behind_blanks: Vec<Pos>,
     errors: Vec<Diagnostic>,
 }
 
@@ -108,7 +116,7 @@ impl Scanner {
     }
 
     fn token(&mut self) {
-        let start = self.at;
+        let (start, known) = (self.at, self.errors.len());
         match self.chars[start] {
             '\r' => {
                 // A return inside a line is legal in Rust only outside documentation comments.
@@ -133,7 +141,10 @@ impl Scanner {
             c if c.is_ascii_graphic() && !matches!(c, '\\' | '`') => self.at += 1,
             c => self.stray(c),
         }
-        self.end = Some(self.at.max(start + 1) - 1);
+        self.end = Some(self.at - 1);
+        if std::mem::replace(&mut self.after_blank, self.errors.len() > known) {
+            self.behind_blanks.push(self.pos(start));
+        }
     }
 
     /// Documentation comments stay: requirement texts are among them.
@@ -218,10 +229,11 @@ impl Scanner {
         let start = self.at;
         self.at += 1;
         self.skip_while(is_word);
+        self.blank(start, start + 1);
         if self.peek(0) == '\'' {
+            self.blank(self.at, self.at + 1);
             self.at += 1;
         }
-        self.blank(start, self.at);
         let error = Diagnostic::error(Code::Lexical, self.span(start, self.at), "stray character `'`");
         self.errors.push(error.help("remove the quotes: names and enum literals stand alone"));
     }
@@ -230,7 +242,7 @@ impl Scanner {
         let start = self.at;
         self.skip_while(is_word);
         let next = self.peek(1);
-        if self.peek(0) == '.' && next != '.' && !(is_word(next) && !next.is_ascii_digit()) {
+        if self.peek(0) == '.' && (next.is_ascii_digit() || next != '.' && !is_word(next)) {
             self.at += 1;
             self.skip_while(is_word);
         }
@@ -269,7 +281,8 @@ impl Scanner {
         let start = self.at;
         self.skip_while(|next| next == c);
         self.blank(start, self.at);
-        let message = format!("stray character `{}`", show(c));
+        let message =
+            if c == '`' { "stray backtick".into() } else { format!("stray character `{}`", show(c)) };
         self.errors.push(Diagnostic::error(Code::Lexical, self.span(start, self.at), message));
     }
 

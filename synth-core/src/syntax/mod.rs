@@ -7,6 +7,7 @@
 pub mod ast;
 mod keywords;
 mod lexis;
+mod load;
 mod parse;
 mod print;
 mod sources;
@@ -17,6 +18,7 @@ use proc_macro2::TokenStream;
 
 use crate::diagnostic::{Code, Diagnostic};
 
+pub use load::{Loaded, Reader, load, load_imports};
 pub use print::print;
 pub use sources::Sources;
 pub use span::{FileId, Pos, Span};
@@ -30,19 +32,20 @@ const MAX_DEPTH: usize = 128;
 /// specification's name could be found. Diagnostics come in the order of their places. A byte order mark is skipped.
 #[must_use]
 pub fn parse_text(text: &str, file: FileId) -> (Option<ast::File>, Vec<Diagnostic>) {
-    let lexis::Scan { readable, end, cut, mut errors } = lexis::scan(text, file);
+    let lexis::Scan { readable, end, cut, behind_blanks, mut errors } = lexis::scan(text, file);
     let Some(readable) = readable else { return (None, errors) };
     let lexed = tokens::lex(&readable, file, |tokens| parse_stream(tokens, file, end));
     let (tree, mut found) = match lexed {
         Ok(parsed) => parsed,
-        Err(error) => (None, vec![error]),
+        Err(error) => (None, vec![*error]),
     };
     // What follows from a mistake that has been reported already is not reported again.
     found.retain(|d| cut.is_none_or(|cut| d.span.start < cut));
     if !errors.is_empty() {
         let lines: Vec<u32> = errors.iter().map(|d| d.span.start.line).collect();
-        found.retain(|d| {
-            d.code != Code::Empty && !(d.code == Code::Syntax && lines.contains(&d.span.start.line))
+        found.retain(|d| match d.code {
+            Code::Syntax => !lines.contains(&d.span.start.line) && !behind_blanks.contains(&d.span.start),
+            code => code != Code::Empty,
         });
     }
     errors.append(&mut found);
@@ -70,7 +73,7 @@ fn parse_stream(
             errors.sort_by_key(|d| d.span.start);
             (tree, errors)
         }
-        Err(error) => (None, vec![error]),
+        Err(error) => (None, vec![*error]),
     }
 }
 
@@ -79,16 +82,16 @@ fn parse_stream(
 /// # Errors
 ///
 /// [`Code::Encoding`] at the first place that is not UTF-8.
-pub fn decode(bytes: &[u8], file: FileId) -> Result<&str, Diagnostic> {
+pub fn decode(bytes: &[u8], file: FileId) -> Result<&str, Box<Diagnostic>> {
     std::str::from_utf8(bytes).map_err(|error| {
         let good = std::str::from_utf8(&bytes[..error.valid_up_to()]).unwrap_or_default();
         let good = good.strip_prefix(lexis::BYTE_ORDER_MARK).unwrap_or(good);
         let line = good.matches('\n').count() as u32 + 1;
         let column = good.rsplit('\n').next().unwrap_or_default().chars().count() as u32 + 1;
         let span = Span { file, start: Pos { line, column }, end: Pos { line, column: column + 1 } };
-        Diagnostic::error(Code::Encoding, span, "the file is not UTF-8 text")
-            .note(format!("the byte 0x{:02X} begins no character", bytes[error.valid_up_to()]))
-            .help("store the file as UTF-8")
+        let error = Diagnostic::error(Code::Encoding, span, "the file is not UTF-8 text")
+            .note(format!("the byte 0x{:02X} begins no character", bytes[error.valid_up_to()]));
+        Box::new(error.help("store the file as UTF-8"))
     })
 }
 

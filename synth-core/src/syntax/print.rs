@@ -79,7 +79,7 @@ impl Printer {
             }
             Section::NonSpontaneous(events) => self.block("non-spontaneous events", events.iter().map(event)),
             Section::ParameterRanges(ranges) => {
-                self.block("parameter ranges", ranges.iter().map(ranges_text))
+                self.block("parameter ranges", ranges.iter().map(ranges_text));
             }
             Section::Channels(channels) => self.block(
                 "channels",

@@ -38,6 +38,18 @@ impl Sources {
         FileId(self.files.len() as u32 - 1)
     }
 
+    /// Number of files; ids are below it.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.files.len()
+    }
+
+    /// Whether there is no file.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.files.is_empty()
+    }
+
     /// The path of a file, as it was given; empty for a file that was never added.
     #[must_use]
     pub fn path(&self, file: FileId) -> &str {

@@ -1,10 +1,22 @@
 //! The corpus round-trips; places are right; every mistake is told; nothing panics.
 
-use super::{FileId, parse_text, print};
+mod errors;
+mod fuzz;
+mod trees;
+
+use super::{FileId, Pos, Span, ast, parse_text};
 use crate::diagnostic::Diagnostic;
 
-fn parse(text: &str) -> (Option<super::ast::File>, Vec<Diagnostic>) {
+fn parse(text: &str) -> (Option<ast::File>, Vec<Diagnostic>) {
     parse_text(text, FileId(0))
+}
+
+/// The tree of `text`, which must have no mistake.
+#[track_caller]
+fn tree(text: &str) -> ast::File {
+    let (tree, errors) = parse(text);
+    assert_eq!(errors, [], "{text}");
+    tree.expect("a tree without errors")
 }
 
 /// Every specification of the corpus, with its path.
@@ -23,14 +35,22 @@ fn corpus() -> Vec<(String, String)> {
         .collect()
 }
 
-#[test]
-fn corpus_round_trips() {
-    for (path, text) in corpus() {
-        let (tree, errors) = parse(&text);
-        assert_eq!(errors, [], "{path}");
-        let printed = print(&tree.expect("a tree"));
-        let (again, errors) = parse(&printed);
-        assert_eq!(errors, [], "{path}\n{printed}");
-        assert_eq!(print(&again.expect("a tree")), printed, "{path}");
+/// Takes the lines that mark the line above them with `~~~~` out of `marked`: the text without them, and the place
+/// and the words of each mark.
+fn unmark(marked: &str) -> (String, Vec<(Span, String)>) {
+    let (mut text, mut marks, mut line) = (String::new(), Vec::new(), 0);
+    for full in marked.split_inclusive('\n') {
+        let mark = full.trim_start();
+        if !mark.starts_with('~') {
+            text.push_str(full);
+            line += 1;
+            continue;
+        }
+        let words = mark.trim_start_matches('~');
+        let start = (full.chars().count() - mark.chars().count()) as u32 + 1;
+        let pos = |column| Pos { line, column };
+        let end = start + (mark.len() - words.len()) as u32;
+        marks.push((Span { file: FileId(0), start: pos(start), end: pos(end) }, words.trim().to_owned()));
     }
+    (text, marks)
 }

@@ -19,7 +19,11 @@ pub(super) fn place(span: proc_macro2::Span, file: FileId) -> Span {
 /// Inside a procedural macro the compiler would lex, and all its tokens would stand at the macro's call. So the lexer
 /// of proc-macro2 itself is forced for as long as `read` runs: its tokens know their place in `text`, and the two
 /// kinds of token never meet.
-pub(super) fn lex<T>(text: &str, file: FileId, read: impl FnOnce(TokenStream) -> T) -> Result<T, Diagnostic> {
+pub(super) fn lex<T>(
+    text: &str,
+    file: FileId,
+    read: impl FnOnce(TokenStream) -> T,
+) -> Result<T, Box<Diagnostic>> {
     struct Forced;
     impl Drop for Forced {
         fn drop(&mut self) {
@@ -31,7 +35,8 @@ pub(super) fn lex<T>(text: &str, file: FileId, read: impl FnOnce(TokenStream) ->
     match TokenStream::from_str(text) {
         Ok(tokens) => Ok(read(tokens)),
         Err(error) => {
-            Err(Diagnostic::error(Code::Lexical, place(error.span(), file), "this is not a token of SML"))
+            let span = place(error.span(), file);
+            Err(Box::new(Diagnostic::error(Code::Lexical, span, "this is not a token of SML")))
         }
     }
 }
@@ -48,7 +53,7 @@ pub(super) struct Prepared {
 /// # Errors
 ///
 /// [`Code::TooDeep`].
-pub(super) fn prepare(tokens: TokenStream, file: FileId) -> Result<Prepared, Diagnostic> {
+pub(super) fn prepare(tokens: TokenStream, file: FileId) -> Result<Prepared, Box<Diagnostic>> {
     let mut out = Vec::new();
     strip(tokens, file, 0, &mut out)?;
     let end = out.last().map_or_else(
@@ -66,7 +71,7 @@ fn strip(
     file: FileId,
     depth: usize,
     out: &mut Vec<TokenTree>,
-) -> Result<(), Diagnostic> {
+) -> Result<(), Box<Diagnostic>> {
     let trees: Vec<TokenTree> = tokens.into_iter().collect();
     let mut at = 0;
     while at < trees.len() {
@@ -80,7 +85,7 @@ fn strip(
         match trees.get(at) {
             Some(TokenTree::Group(group)) => {
                 if depth >= MAX_DEPTH {
-                    return Err(too_deep(place(group.span_open(), file)));
+                    return Err(Box::new(too_deep(place(group.span_open(), file))));
                 }
                 if group.delimiter() == Delimiter::None {
                     strip(group.stream(), file, depth + 1, out)?;

@@ -24,7 +24,13 @@ impl Reader {
     /// `ID { role* scenario* }`.
     pub(super) fn collaboration(&self, input: ParseStream<'_>) -> Result<Collaboration> {
         let name = self.name(input, "the name of the collaboration")?;
-        let starts = |input: ParseStream<'_>| input.peek(Token![#]) || self.at_any(input, &ITEMS);
+        // Also one whose first word is misspelt.
+        let starts = |input: ParseStream<'_>| {
+            input.peek(Token![#])
+                || self.at_any(input, &ITEMS)
+                || self.then(input, "scenario")
+                || self.then(input, "role")
+        };
         let scenario_seen = std::cell::Cell::new(false);
         let (items, _) = self.braces(input, "`{`, roles and scenarios", |inside| {
             Ok(self.items(inside, starts, |input| {

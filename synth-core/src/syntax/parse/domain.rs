@@ -5,9 +5,10 @@ use syn::parse::ParseStream;
 
 use super::reader::{Reader, Result};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::syntax::Span;
 use crate::syntax::ast::{
-    Attribute, Channel, Class, DomainItem, Effect, Enum, EventRef, Object, Operation, ParameterRanges,
-    RangeSpan, Type, TypeKind,
+    Attribute, Channel, Class, DomainItem, Effect, Enum, EventRef, Expr, ExprKind, Name, Object, Operation,
+    ParameterRanges, RangeSpan, Type, TypeKind,
 };
 
 impl Reader {
@@ -75,7 +76,7 @@ impl Reader {
         Ok(Class { is_abstract, name, base, attributes, operations })
     }
 
-    fn parameters(&self, input: ParseStream<'_>) -> Result<Vec<(crate::syntax::ast::Name, Type)>> {
+    fn parameters(&self, input: ParseStream<'_>) -> Result<Vec<(Name, Type)>> {
         let (parameters, _) = self.parens(input, "`(` and parameters", |inside| {
             self.comma_list(inside, |inside| {
                 let name = self.name(inside, "the name of a parameter")?;
@@ -217,7 +218,7 @@ impl Reader {
         if !input.peek(Token![..]) {
             return Ok(RangeSpan { low, high: None });
         }
-        if !matches!(low.kind, crate::syntax::ast::ExprKind::Int(_)) {
+        if !matches!(low.kind, ExprKind::Int(_)) {
             let error = Diagnostic::error(Code::Syntax, low.span, "only integers have a range between them");
             return Err(Box::new(error.help("list the values one by one")));
         }
@@ -227,8 +228,8 @@ impl Reader {
         let start = self.span(input);
         let Some(high) = self.integer(input)? else { return Err(self.expected(input, "the largest value")) };
         let span = self.since(start, input);
-        let kind = crate::syntax::ast::ExprKind::Int(high);
-        Ok(RangeSpan { low, high: Some(crate::syntax::ast::Expr { kind, span }) })
+        let kind = ExprKind::Int(high);
+        Ok(RangeSpan { low, high: Some(Expr { kind, span }) })
     }
 
     /// `{ channel* }`.
@@ -247,7 +248,7 @@ impl Reader {
     }
 }
 
-fn old_type(word: &str, span: crate::syntax::Span) -> Option<Diagnostic> {
+fn old_type(word: &str, span: Span) -> Option<Diagnostic> {
     let help = match word {
         "EBoolean" => "write `bool`",
         "EInt" => "write a range of integers such as `0..=9`",

@@ -36,10 +36,10 @@ impl Reader {
         let mut comparison = None;
         while let Some(op) = peek_operator(input).filter(|op| op.precedence() >= least) {
             let at = self.operator_span(input, op);
-            if op.precedence() == COMPARISON {
-                if let Some(first) = comparison.replace(at) {
-                    return Err(chain(first, at));
-                }
+            if op.precedence() == COMPARISON
+                && let Some(first) = comparison.replace(at)
+            {
+                return Err(chain(first, at));
             }
             for _ in op.text().chars() {
                 self.skip(input);

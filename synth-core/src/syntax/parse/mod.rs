@@ -52,12 +52,12 @@ impl Reader {
             match self.import(input) {
                 Ok(import) => imports.push(import),
                 Err(error) => {
-                    self.report(error);
+                    self.report(*error);
                     self.skip_to(input, |word| matches!(word, "import" | "specification" | "system"));
                 }
             }
         }
-        let name = self.header(input).map_err(|error| self.report(error)).ok();
+        let name = self.header(input).map_err(|error| self.report(*error)).ok();
         if name.is_none() {
             self.skip_until(input, |input| input.peek(syn::token::Brace));
         }
@@ -66,12 +66,12 @@ impl Reader {
         }
         let sections = self
             .braces(input, "`{` and the sections of the specification", |inside| Ok(self.sections(inside)))
-            .map_err(|error| self.report(error))
+            .map_err(|error| self.report(*error))
             .ok();
         if sections.is_some() {
             self.optional_semicolon(input);
             if !input.is_empty() {
-                self.report(self.expected(input, "the end of the file"));
+                self.report(*self.expected(input, "the end of the file"));
             }
         }
         Some(File { imports, name: name?, sections: sections?.0 })

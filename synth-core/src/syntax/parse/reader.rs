@@ -34,8 +34,8 @@ impl Reader {
         self.errors.into_inner()
     }
 
-    pub(super) fn report(&self, error: impl Into<Diagnostic>) {
-        self.errors.borrow_mut().push(error.into());
+    pub(super) fn report(&self, error: Diagnostic) {
+        self.errors.borrow_mut().push(error);
     }
 
     /// The place of the next token, or of the delimiter that closes what is being read.
@@ -122,7 +122,11 @@ impl Reader {
     /// The error that `what` should come next.
     pub(super) fn expected(&self, input: ParseStream<'_>, what: &str) -> Box<Diagnostic> {
         let message = format!("expected {what}, found {}", self.found(input));
-        Box::new(Diagnostic::error(Code::Syntax, self.span(input), message))
+        let mut span = self.span(input);
+        if input.cursor().punct().is_some() {
+            span.end.column = span.start.column + operator(input).len() as u32;
+        }
+        Box::new(Diagnostic::error(Code::Syntax, span, message))
     }
 
     fn found(&self, input: ParseStream<'_>) -> String {
@@ -177,7 +181,7 @@ impl Reader {
             match item(input) {
                 Ok(item) => items.push(item),
                 Err(error) => {
-                    self.report(error);
+                    self.report(*error);
                     if input.cursor() == before {
                         self.skip(input);
                     }
@@ -271,8 +275,9 @@ impl Reader {
         closing: &'static str,
         inside: impl FnOnce(ParseStream<'_>) -> Result<T>,
     ) -> Result<(T, Span)> {
-        let span = self.span(input);
+        let start = self.span(input);
         let content = open(input).map_err(|_| self.expected(input, "an opening delimiter"))?;
+        let span = self.since(start, input);
         self.closing.borrow_mut().push(closing);
         let result = inside(&content).and_then(|result| {
             if content.is_empty() {
@@ -312,12 +317,6 @@ impl Reader {
         }
         self.skip(input);
         Ok(Some(text))
-    }
-}
-
-impl From<Box<Diagnostic>> for Diagnostic {
-    fn from(error: Box<Diagnostic>) -> Self {
-        *error
     }
 }
 

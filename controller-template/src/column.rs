@@ -1,0 +1,93 @@
+//! Columns of tables: arrays, and byte strings for those that are too long to be compiled as arrays.
+
+use core::marker::PhantomData;
+
+mod sealed {
+    pub trait Sealed {}
+}
+
+/// The number types of tables: `u8`, `u16` and `u32`.
+pub trait Number: Copy + Ord + Into<u32> + sealed::Sealed {
+    /// Bytes of one number.
+    const WIDTH: usize;
+
+    /// The number at `bytes[WIDTH * index..]`, little-endian; `None` beyond the end.
+    fn read(bytes: &[u8], index: usize) -> Option<Self>;
+}
+
+macro_rules! number {
+    ($($number:ty),*) => {$(
+        impl sealed::Sealed for $number {}
+
+        impl Number for $number {
+            const WIDTH: usize = size_of::<Self>();
+
+            #[inline]
+            fn read(bytes: &[u8], index: usize) -> Option<Self> {
+                let rest = bytes.get(index.checked_mul(Self::WIDTH)?..)?;
+                rest.first_chunk().map(|&bytes| Self::from_le_bytes(bytes))
+            }
+        }
+    )*};
+}
+
+number!(u8, u16, u32);
+
+/// A column of numbers whose length is part of its type.
+pub trait Column {
+    /// What it holds.
+    type Number: Number;
+
+    /// How many.
+    const LEN: usize;
+
+    /// The number at `index`; `None` beyond the end.
+    fn get(&self, index: usize) -> Option<Self::Number>;
+}
+
+impl<T: Number, const N: usize> Column for [T; N] {
+    type Number = T;
+
+    const LEN: usize = N;
+
+    #[inline]
+    fn get(&self, index: usize) -> Option<T> {
+        self.as_slice().get(index).copied()
+    }
+}
+
+/// A column as one byte string, little-endian; `B` is its length in bytes.
+///
+/// The compiler takes microseconds for every number of an array and next to nothing for a byte string.
+///
+/// ```
+/// use controller_template::{Column, Packed};
+///
+/// static STATES: Packed<u16, 4> = Packed::new(*b"\x07\x00\x00\x01");
+/// assert_eq!(STATES.get(1), Some(256));
+/// assert_eq!(STATES.get(2), None);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Packed<T, const B: usize> {
+    bytes: [u8; B],
+    number: PhantomData<T>,
+}
+
+impl<T, const B: usize> Packed<T, B> {
+    /// Takes the bytes as they are.
+    #[must_use]
+    pub const fn new(bytes: [u8; B]) -> Self {
+        Packed { bytes, number: PhantomData }
+    }
+}
+
+impl<T: Number, const B: usize> Column for Packed<T, B> {
+    type Number = T;
+
+    const LEN: usize = B / T::WIDTH;
+
+    #[inline]
+    fn get(&self, index: usize) -> Option<T> {
+        T::read(&self.bytes, index)
+    }
+}

@@ -1,0 +1,86 @@
+//! The comment at the top: origin, options, the map of names, requirements.
+
+use super::names::{NameMap, Names, STATE_NO};
+use super::writer::Writer;
+use super::{Integers, Options, Trigger, Unexpected};
+use crate::controller::tables::{FORMAT_VERSION, Tables};
+
+/// Writes it, an empty line last.
+pub(super) fn write(out: &mut Writer, tables: &Tables, options: &Options, names: &Names) {
+    origin(out, tables, options);
+    out.gap();
+    behaviour(out, options);
+    out.gap();
+    name_map(out, &NameMap::new(tables, options.target, names));
+    out.gap();
+    requirements(out, tables);
+}
+
+fn origin(out: &mut Writer, tables: &Tables, options: &Options) {
+    let provenance = &tables.provenance;
+    let (version, target) = (env!("CARGO_PKG_VERSION"), options.target.name());
+    out.comment(&format!("Controller {}: generated, changes get lost.", tables.specification));
+    out.comment(&format!("Generator: sml {version}, table format {FORMAT_VERSION}"));
+    out.comment(&format!("Specification: {}, input hash {}", provenance.file, provenance.hash));
+    out.comment(&format!("To generate it again: sml export {} --target {target}", provenance.file));
+}
+
+fn behaviour(out: &mut Writer, options: &Options) {
+    out.comment(match options.trigger {
+        Trigger::Edge => "An input raises its event in the call in which it becomes TRUE (trigger: edge).",
+        Trigger::Level => "An input raises its event in every call in which it is TRUE (trigger: level).",
+    });
+    out.comment(if options.drain {
+        "A call repeats the cycle until no super step is due, or one whose component has a command already (drain)."
+    } else {
+        "A call is one cycle: events until none fits, then at most one super step."
+    });
+    out.comment(match options.unexpected {
+        Unexpected::Keep => "Events that fit nowhere stay pending, and unexpected is TRUE meanwhile (unexpected: keep).",
+        Unexpected::Drop => "Events that fit nowhere are forgotten, and unexpected is TRUE in that call (unexpected: drop).",
+        Unexpected::Fault => {
+            "After an event that fits nowhere unexpected is TRUE and nothing is done until reset (unexpected: fault)."
+        }
+    });
+    out.comment(
+        "Events raised in a call with enable FALSE or reset TRUE are lost. reset leads to the initial state, enabled or not.",
+    );
+    if options.integers == Integers::Signed {
+        out.comment("No unsigned integer types are used (integers: signed).");
+    }
+}
+
+fn name_map(out: &mut Writer, names: &NameMap) {
+    out.comment(&format!(
+        "Function block {}, program {}, state in {STATE_NO}",
+        names.function_block, names.program
+    ));
+    out.comment("Inputs and their events, in the order of pending:");
+    for (text, input) in &names.events {
+        out.comment(&format!("  {input}: {text}"));
+    }
+    if names.events.is_empty() {
+        out.comment("  none; pending has one element, which stays FALSE");
+    }
+    for component in &names.components {
+        out.comment(&format!("Codes of {}, commands to {}:", component.output, component.object));
+        for (text, code) in &component.codes {
+            out.comment(&format!("  {code}: {text}"));
+        }
+    }
+}
+
+fn requirements(out: &mut Writer, tables: &Tables) {
+    let requirements = &tables.provenance.requirements;
+    if requirements.is_empty() {
+        return;
+    }
+    out.comment("Requirements:");
+    for requirement in requirements {
+        out.comment(&format!("  {} {}, line {}", requirement.kind, requirement.scenario, requirement.line));
+        for line in &requirement.text {
+            out.comment(&format!("    {}", line.trim_start()));
+        }
+    }
+    out.gap();
+}

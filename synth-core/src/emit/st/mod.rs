@@ -1,0 +1,129 @@
+//! Structured Text (IEC 61131-3).
+//!
+//! The text is a library of its own: a `TYPE` for the set of pending events, a `FUNCTION_BLOCK` that holds the
+//! tables and does one cycle a call, a `PROGRAM` that passes its inputs and outputs through, and a `CONFIGURATION`
+//! that runs it every 10 ms. It keeps to the second edition of the standard, which the strict compilers check:
+//! every array that is assigned has a named type, no `//` comments, no pointers, no mixed integer types.
+//!
+//! # What a call does
+//!
+//! 1. The outputs `<object>_cmd` become 0, `overrun` and `unexpected` become FALSE.
+//! 2. With `reset` TRUE the controller goes back to its initial state and forgets all pending events; it does no
+//!    cycle, whatever `enable` says. With `enable` FALSE it does nothing. Events raised in such a call are lost: a
+//!    controller that does not run does not listen, and a signal that rose meanwhile is no rising edge later.
+//! 3. Otherwise the inputs raise events (one that was pending already sets `overrun`), pending events are consumed
+//!    in table order until none fits, and at most one super step is done (all that [`Options::drain`] allows).
+//! 4. `unexpected` becomes TRUE if the controller then waits for the environment, but something is pending: none
+//!    of it fits the state, nor will it before another event comes. Events pending while a super step is due are
+//!    not unexpected; the next call decides about them.
+
+mod block;
+mod fit;
+mod header;
+mod integer;
+mod names;
+mod program;
+mod reserved;
+mod writer;
+
+use crate::controller::tables::Tables;
+pub use fit::Unfit;
+use names::Names;
+pub use names::{ComponentNames, NameMap};
+use writer::Writer;
+
+/// The dialect and its limits.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Target {
+    /// IEC 61131-3, second edition, nothing else.
+    #[default]
+    Iec,
+}
+
+impl Target {
+    /// As on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Target::Iec => "iec",
+        }
+    }
+
+    /// The longest identifier, in characters.
+    ///
+    /// The standard leaves it to the implementer. 63 is what C promises to tell apart, which compilers that go
+    /// through C inherit.
+    fn identifier_limit(self) -> usize {
+        match self {
+            Target::Iec => 63,
+        }
+    }
+}
+
+/// When an input raises its event.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Trigger {
+    /// In the call in which it becomes TRUE.
+    #[default]
+    Edge,
+    /// In every call in which it is TRUE.
+    Level,
+}
+
+/// The integer types of states and indices.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Integers {
+    /// The narrowest of `USINT`, `UINT`, `UDINT`.
+    #[default]
+    Unsigned,
+    /// The narrower of `INT` and `DINT`, for systems without unsigned types; `state_no` is a `DINT` then.
+    Signed,
+}
+
+/// What becomes of events that fit nowhere.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Unexpected {
+    /// They stay pending; `unexpected` is TRUE as long as they do.
+    #[default]
+    Keep,
+    /// They are forgotten; `unexpected` is TRUE in that call.
+    Drop,
+    /// The controller stops, with `unexpected` TRUE, until it is reset.
+    Fault,
+}
+
+/// How to write the text.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Options {
+    /// The dialect.
+    pub target: Target,
+    /// When an input raises its event.
+    pub trigger: Trigger,
+    /// The family of integer types.
+    pub integers: Integers,
+    /// A call repeats the cycle until nothing is left to do or a component would get a second command.
+    pub drain: bool,
+    /// What becomes of events that fit nowhere.
+    pub unexpected: Unexpected,
+}
+
+/// The whole text, ending in a newline, deterministic.
+///
+/// # Errors
+///
+/// What the target cannot hold ([`Unfit`]), before anything is written.
+pub fn text(tables: &Tables, options: &Options) -> Result<String, Unfit> {
+    let types = fit::check(tables, options)?;
+    let names = Names::new(tables, options.target);
+    let mut out = Writer::new();
+    header::write(&mut out, tables, options, &names);
+    block::write(&mut out, tables, options, &names, &types);
+    program::write(&mut out, tables, &names, &types);
+    Ok(out.finish())
+}
+
+/// What events, components and codes are called in [`text`]'s output.
+#[must_use]
+pub fn names(tables: &Tables, options: &Options) -> NameMap {
+    NameMap::new(tables, options.target, &Names::new(tables, options.target))
+}

@@ -1,0 +1,267 @@
+//! Identifiers of Structured Text, and the map from events and commands to them.
+//!
+//! Everything that a text names shares one name space, although blocks have scopes of their own: strict compilers
+//! confuse a variable with a type or a block of its name. Identifiers do not distinguish case.
+
+use std::collections::BTreeSet;
+
+use super::Target;
+use super::reserved::is_reserved;
+use crate::controller::tables::Tables;
+
+/// What the text of a controller calls things; made for people and tools, see `sml names`.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct NameMap {
+    /// The target's name.
+    pub target: &'static str,
+    /// The function block.
+    pub function_block: String,
+    /// The program.
+    pub program: String,
+    /// The output with the number of the state.
+    pub state: String,
+    /// Every event's text and input, in table order.
+    pub events: Vec<(String, String)>,
+    /// In order of the objects' names.
+    pub components: Vec<ComponentNames>,
+}
+
+/// The names of a component.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ComponentNames {
+    /// Its object.
+    pub object: String,
+    /// Its output.
+    pub output: String,
+    /// The event text of every command and its code, ascending from 1.
+    pub codes: Vec<(String, u32)>,
+}
+
+impl NameMap {
+    pub(super) fn new(tables: &Tables, target: Target, names: &Names) -> NameMap {
+        let events = tables.events.iter().zip(&names.events);
+        let components = tables.components.iter().zip(&names.components);
+        NameMap {
+            target: target.name(),
+            function_block: names.function_block.clone(),
+            program: names.program.clone(),
+            state: STATE_NO.to_owned(),
+            events: events.map(|(table, name)| (table.event.text.clone(), name.input.clone())).collect(),
+            components: components
+                .map(|(table, name)| ComponentNames {
+                    object: table.object.clone(),
+                    output: name.output.clone(),
+                    codes: table.commands.iter().map(|command| command.text.clone()).zip(1..).collect(),
+                })
+                .collect(),
+        }
+    }
+}
+
+/// The output with the number of the state.
+pub(super) const STATE_NO: &str = "state_no";
+
+/// The text's own names, those of the fixed interface first.
+const OWN: &[&str] = &[
+    "enable",
+    "reset",
+    STATE_NO,
+    "pending",
+    "unexpected",
+    "overrun",
+    "changed",
+    "controller",
+    "done",
+    "due",
+    "first",
+    "index",
+    "last",
+    "middle",
+    "previous",
+    "source",
+    "state",
+    "target",
+    "Config0",
+    "Res0",
+    "PLC",
+    "Cyclic",
+    "Main0",
+];
+
+/// The identifiers of an event.
+#[derive(Debug)]
+pub(super) struct EventNames {
+    pub(super) input: String,
+    pub(super) source: String,
+    pub(super) target: String,
+}
+
+/// The identifiers of a component.
+#[derive(Debug)]
+pub(super) struct OutputNames {
+    pub(super) output: String,
+    /// The array of its codes.
+    pub(super) codes: String,
+}
+
+/// All identifiers that depend on the controller.
+#[derive(Debug)]
+pub(super) struct Names {
+    pub(super) function_block: String,
+    pub(super) program: String,
+    pub(super) events_type: String,
+    pub(super) events: Vec<EventNames>,
+    pub(super) components: Vec<OutputNames>,
+}
+
+impl Names {
+    /// Names everything: the interface first, so that only internal names give way to it.
+    pub(super) fn new(tables: &Tables, target: Target) -> Names {
+        let mut scope = Scope::new(target.identifier_limit());
+        let specification = identifier(&tables.specification);
+        let function_block = scope.claim(&specification, "_Controller");
+        let program = scope.claim(&specification, "_Main");
+        let events_type = scope.claim(&specification, "_Events");
+        let inputs: Vec<_> =
+            tables.events.iter().map(|table| scope.claim(&identifier(&table.event.text), "")).collect();
+        let outputs: Vec<_> =
+            tables.components.iter().map(|table| scope.claim(&identifier(&table.object), "_cmd")).collect();
+        let events = inputs
+            .into_iter()
+            .map(|input| EventNames {
+                source: scope.claim(&input, "_source"),
+                target: scope.claim(&input, "_target"),
+                input,
+            })
+            .collect();
+        let components = tables
+            .components
+            .iter()
+            .zip(outputs)
+            .map(|(table, output)| OutputNames {
+                codes: scope.claim(&identifier(&table.object), "Target"),
+                output,
+            })
+            .collect();
+        Names { function_block, program, events_type, events, components }
+    }
+}
+
+/// The names in use, in capitals.
+struct Scope {
+    used: BTreeSet<String>,
+    limit: usize,
+}
+
+impl Scope {
+    fn new(limit: usize) -> Scope {
+        Scope { used: OWN.iter().map(|name| name.to_ascii_uppercase()).collect(), limit }
+    }
+
+    /// `base` + `suffix`, shortened to the limit, with `_2`, `_3`, … where that is taken or reserved.
+    fn claim(&mut self, base: &str, suffix: &str) -> String {
+        for number in 1u64.. {
+            let tail = if number == 1 { suffix.to_owned() } else { format!("{suffix}_{number}") };
+            let name = shortened(base, self.limit - tail.len()) + &tail;
+            let capitals = name.to_ascii_uppercase();
+            if !is_reserved(&capitals) && self.used.insert(capitals) {
+                return name;
+            }
+        }
+        unreachable!("there are more numbers than names")
+    }
+}
+
+/// Runs of anything but letters and digits become one `_`, none at the ends; `-1` becomes `m1`.
+fn identifier(text: &str) -> String {
+    let mut name = String::with_capacity(text.len());
+    let mut gap = false;
+    let mut characters = text.chars().peekable();
+    while let Some(c) = characters.next() {
+        let minus = c == '-' && characters.peek().is_some_and(char::is_ascii_digit);
+        if !c.is_ascii_alphanumeric() && !minus {
+            gap = true;
+            continue;
+        }
+        if gap && !name.is_empty() {
+            name.push('_');
+        }
+        gap = false;
+        name.push(if minus { 'm' } else { c });
+    }
+    // Not from any specification, but an identifier all the same.
+    if name.is_empty() || name.starts_with(|c: char| c.is_ascii_digit()) {
+        name.insert(0, 'x');
+    }
+    name
+}
+
+/// At most `limit` characters: who acts stands at the start of a name and what happens at its end, so the middle
+/// goes. `name` is ASCII.
+fn shortened(name: &str, limit: usize) -> String {
+    if name.len() <= limit {
+        return name.to_owned();
+    }
+    let head = (limit - 1) / 2;
+    let tail = limit - 1 - head;
+    format!("{}_{}", name[..head].trim_end_matches('_'), name[name.len() - tail..].trim_start_matches('_'))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(text: &str, name: &str) {
+        assert_eq!(identifier(text), name);
+    }
+
+    #[test]
+    fn runs_become_one_underscore() {
+        check("feedBelt -> controller.blankArrived()", "feedBelt_controller_blankArrived");
+        check("a -> b.c(press, 3)", "a_b_c_press_3");
+        check("a__b_ -> _c.d_()", "a_b_c_d");
+    }
+
+    #[test]
+    fn negative_numbers() {
+        check("a -> b.c(-1, -20)", "a_b_c_m1_m20");
+        check("a->b.c(1)", "a_b_c_1");
+    }
+
+    #[test]
+    fn never_empty_nor_a_number() {
+        check("", "x");
+        check("(é)", "x");
+        check("3 -> 4", "x3_4");
+    }
+
+    #[test]
+    fn clashes_ignore_case_and_skip_taken_numbers() {
+        let mut scope = Scope::new(63);
+        assert_eq!(scope.claim("a_b", ""), "a_b");
+        assert_eq!(scope.claim("a_b_2", ""), "a_b_2");
+        assert_eq!(scope.claim("A_B", ""), "A_B_3");
+        assert_eq!(scope.claim("a", "_B"), "a_B_4");
+    }
+
+    #[test]
+    fn reserved_and_own_words_give_way() {
+        let mut scope = Scope::new(63);
+        assert_eq!(scope.claim("end_if", ""), "end_if_2");
+        assert_eq!(scope.claim("Ton", ""), "Ton_2");
+        assert_eq!(scope.claim("int_to_real", ""), "int_to_real_2");
+        assert_eq!(scope.claim("Pending", ""), "Pending_2");
+        assert_eq!(scope.claim("plc", ""), "plc_2");
+    }
+
+    #[test]
+    fn long_names_keep_both_ends() {
+        let mut scope = Scope::new(20);
+        let long = "feedArm_controller_arrivedAt_press";
+        assert_eq!(scope.claim(long, ""), "feedArm_c_edAt_press");
+        assert_eq!(scope.claim(long, ""), "feedArm_dAt_press_2");
+        assert_eq!(scope.claim(long, "_source"), "feedAr_press_source");
+        assert_eq!(shortened("ab_cdefgh", 7), "ab_fgh");
+    }
+}

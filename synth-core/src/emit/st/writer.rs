@@ -1,0 +1,162 @@
+//! Indented lines of Structured Text within a line limit.
+
+use std::fmt::{Display, Write as _};
+
+/// The longest line, in characters.
+pub(super) const LINE_LIMIT: usize = 120;
+
+const INDENT: &str = "  ";
+
+/// Collects a text line by line.
+pub(super) struct Writer {
+    out: String,
+    depth: usize,
+}
+
+impl Writer {
+    pub(super) fn new() -> Writer {
+        Writer { out: String::new(), depth: 0 }
+    }
+
+    pub(super) fn finish(self) -> String {
+        self.out
+    }
+
+    /// A line at the current depth.
+    pub(super) fn line(&mut self, line: impl Display) {
+        for _ in 0..self.depth {
+            self.out.push_str(INDENT);
+        }
+        // Writing to a string cannot fail.
+        let _ = writeln!(self.out, "{line}");
+    }
+
+    /// An empty line.
+    pub(super) fn gap(&mut self) {
+        self.out.push('\n');
+    }
+
+    /// `opening`, lines one step deeper, `closing`.
+    pub(super) fn block(&mut self, opening: impl Display, closing: &str, inside: impl FnOnce(&mut Writer)) {
+        self.line(opening);
+        self.indented(inside);
+        self.line(closing);
+    }
+
+    /// Lines one step deeper.
+    pub(super) fn indented(&mut self, inside: impl FnOnce(&mut Writer)) {
+        self.depth += 1;
+        inside(self);
+        self.depth -= 1;
+    }
+
+    /// A comment, in as many `(* … *)` lines as it needs.
+    pub(super) fn comment(&mut self, text: &str) {
+        let width = LINE_LIMIT - self.depth * INDENT.len() - "(*  *)".len();
+        for line in wrapped(&harmless(text), width) {
+            self.line(format_args!("(* {line} *)"));
+        }
+    }
+
+    /// `name : type;` with an initial value: `name : ARRAY [0..n] OF type := [ … ];`, several numbers a line.
+    pub(super) fn array(&mut self, name: &str, element: &str, values: &[u32]) {
+        let last = values.len().saturating_sub(1);
+        self.block(format_args!("{name} : ARRAY [0..{last}] OF {element} := ["), "];", |out| {
+            let width = LINE_LIMIT - out.depth * INDENT.len();
+            let mut line = String::new();
+            for (index, value) in values.iter().enumerate() {
+                let comma = if index == last { "" } else { "," };
+                let number = format!("{value}{comma}");
+                if !line.is_empty() && line.len() + 1 + number.len() > width {
+                    out.line(&line);
+                    line.clear();
+                }
+                if !line.is_empty() {
+                    line.push(' ');
+                }
+                line.push_str(&number);
+            }
+            out.line(&line);
+        });
+    }
+}
+
+/// A text that neither ends the comment it stands in nor opens another.
+fn harmless(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut before = ' ';
+    for c in text.chars() {
+        if (before, c) == ('(', '*') || (before, c) == ('*', ')') {
+            out.push(' ');
+        }
+        let c = if c.is_control() { ' ' } else { c };
+        out.push(c);
+        before = c;
+    }
+    out
+}
+
+/// Breaks at spaces into lines of at most `width` characters (longer words are cut); one line at least. The
+/// indentation of the text is that of all its lines.
+fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let indent: String = text.chars().take_while(|c| *c == ' ').take(width / 2).collect();
+    let mut lines = Vec::new();
+    let mut line = indent.clone();
+    let mut length = indent.len();
+    for word in text.split_whitespace() {
+        let mut word: Vec<char> = word.chars().collect();
+        if length > indent.len() && length + 1 + word.len() > width {
+            lines.push(std::mem::replace(&mut line, indent.clone()));
+            length = indent.len();
+        }
+        while word.len() > width - indent.len() {
+            let rest = word.split_off(width - indent.len());
+            lines.push(indent.chars().chain(word).collect());
+            word = rest;
+        }
+        if length > indent.len() {
+            line.push(' ');
+            length += 1;
+        }
+        length += word.len();
+        line.extend(word);
+    }
+    lines.push(line);
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(text: &str, width: usize, lines: &[&str]) {
+        assert_eq!(wrapped(text, width), lines);
+    }
+
+    #[test]
+    fn wraps_at_spaces_and_keeps_the_indentation() {
+        check("one two three", 8, &["one two", "three"]);
+        check("  one two", 6, &["  one", "  two"]);
+        check("abcdefgh i", 3, &["abc", "def", "gh", "i"]);
+        check("abcdef i", 3, &["abc", "def", "i"]);
+        check("", 3, &[""]);
+    }
+
+    #[test]
+    fn comments_cannot_be_left() {
+        assert_eq!(harmless("a(*)b\n*)"), "a( * )b * )");
+    }
+
+    #[test]
+    fn arrays_keep_the_line_limit() {
+        let mut writer = Writer::new();
+        let values: Vec<u32> = (10_000..10_040).collect();
+        writer.array("x", "UINT", &values);
+        let text = writer.finish();
+        assert!(text.lines().all(|line| line.len() <= LINE_LIMIT));
+        assert_eq!(text.lines().count(), 5);
+        assert!(text.starts_with("x : ARRAY [0..39] OF UINT := [\n  10000, 10001,"));
+        assert!(text.ends_with(" 10039\n];\n"));
+    }
+}

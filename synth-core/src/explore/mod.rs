@@ -1,0 +1,255 @@
+//! Exploration: every state that executable events and yields can reach, breadth first, as a [`Game`].
+//!
+//! Nothing is pruned. States are numbered in order of discovery, edges ordered by the events' texts, so the result
+//! depends on the specification alone. The losing state (and with classic semantics the won state) come last.
+
+mod store;
+
+pub use store::{StateId, StateStore};
+
+use crate::game::{Game, KeySets, KeySetsBuilder, Turn, YIELD};
+use crate::model::{Kind, Spec};
+use crate::playout::{Config, EventId, KeyId, Move, Moves, PlayError, Playout, Semantics};
+
+/// When to stop.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Limits {
+    /// Most states.
+    pub states: usize,
+    /// Most bytes for states, edges and what was remembered.
+    pub memory: usize,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Limits { states: u32::MAX as usize - 2, memory: usize::MAX }
+    }
+}
+
+/// Why exploration stopped early.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum ExploreError {
+    /// A mistake of the specification that a play reaches, with the texts of its events.
+    Play(PlayError, Vec<String>),
+    /// A limit was reached.
+    Limit(LimitReached),
+}
+
+/// Which limit was reached, and how far exploration came.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct LimitReached {
+    /// `states` or `memory`.
+    pub what: &'static str,
+    /// The limit.
+    pub limit: usize,
+    /// States found so far.
+    pub states: usize,
+    /// States of these whose moves are known.
+    pub explored: usize,
+    /// Edges found so far.
+    pub edges: usize,
+    /// Bytes in use.
+    pub memory: usize,
+}
+
+/// The explored specification.
+#[derive(Debug)]
+pub struct Explored<'s> {
+    /// The play-out with everything that it interned.
+    pub playout: Playout<'s>,
+    /// The packed states; ids are those of the game, except for the losing and the won state, which are not here.
+    pub store: StateStore,
+    /// The graph.
+    pub game: Game,
+}
+
+/// Explores a specification.
+///
+/// # Errors
+/// A mistake that only a play shows, or a limit.
+pub fn explore<'s>(
+    spec: &'s Spec,
+    semantics: Semantics,
+    limits: &Limits,
+) -> Result<Explored<'s>, ExploreError> {
+    let unplayed = |error| ExploreError::Play(error, Vec::new());
+    let mut playout = Playout::new(spec, semantics).map_err(unplayed)?;
+    let initial = playout.initial().map_err(unplayed)?;
+    let mut explorer = Explorer {
+        playout,
+        store: StateStore::default(),
+        graph: Graph { first: vec![0], ..Graph::default() },
+        sets: KeySetsBuilder::default(),
+    };
+    explorer.store.intern(&explorer.playout, &initial);
+    explorer.run(limits)?;
+    Ok(explorer.finish())
+}
+
+/// Stands for the losing and the won state until all others have their numbers.
+const LOST: u32 = u32::MAX;
+const WON: u32 = u32::MAX - 1;
+
+/// The growing arrays of the game.
+#[derive(Debug, Default)]
+struct Graph {
+    turn: Vec<Turn>,
+    silent: Vec<bool>,
+    open: Vec<u32>,
+    first: Vec<u32>,
+    label: Vec<u32>,
+    target: Vec<u32>,
+    discharged: Vec<u32>,
+}
+
+struct Explorer<'s> {
+    playout: Playout<'s>,
+    store: StateStore,
+    graph: Graph,
+    sets: KeySetsBuilder,
+}
+
+impl<'s> Explorer<'s> {
+    fn run(&mut self, limits: &Limits) -> Result<(), ExploreError> {
+        let mut config = Config::default();
+        let mut moves = Moves::default();
+        let mut open: Vec<KeyId> = Vec::new();
+        let mut state = 0;
+        while (state as usize) < self.store.len() {
+            self.check(limits)?;
+            self.store.load(state, &mut config);
+            if let Err((event, mistake)) = self.playout.moves(&config, &mut moves) {
+                return Err(ExploreError::Play(mistake, self.play_to(state, event)));
+            }
+            open.clear();
+            self.playout.open_keys(&config, &mut open);
+            self.graph.turn.push(moves.turn);
+            self.graph.silent.push(moves.silent);
+            self.graph.open.push(self.sets.intern(&open));
+            for one in &moves.moves {
+                self.edge(one);
+            }
+            self.graph.first.push(self.graph.target.len() as u32);
+            state += 1;
+        }
+        Ok(())
+    }
+
+    fn edge(&mut self, one: &Move) {
+        let target = match one.end {
+            None => self.store.intern(&self.playout, &one.config),
+            Some(Turn::Won) => WON,
+            Some(_) => LOST,
+        };
+        self.graph.label.push(one.event.unwrap_or(YIELD));
+        self.graph.target.push(target);
+        self.graph.discharged.push(self.sets.intern(&one.discharged));
+    }
+
+    fn check(&self, limits: &Limits) -> Result<(), ExploreError> {
+        let states = self.store.len();
+        let edges = self.graph.target.len();
+        let memory = self.memory();
+        let (what, limit) = if states > limits.states {
+            ("states", limits.states)
+        } else if memory > limits.memory {
+            ("memory", limits.memory)
+        } else if edges > (u32::MAX - (1 << 24)) as usize {
+            ("edges", u32::MAX as usize)
+        } else {
+            return Ok(());
+        };
+        let explored = self.graph.turn.len();
+        Err(ExploreError::Limit(LimitReached { what, limit, states, explored, edges, memory }))
+    }
+
+    fn memory(&self) -> usize {
+        let graph = &self.graph;
+        let per_edge = 3 * size_of::<u32>();
+        let per_state = 2 * size_of::<u32>() + 2;
+        self.store.memory()
+            + self.playout.memory()
+            + graph.target.capacity() * per_edge
+            + graph.turn.capacity() * per_state
+    }
+
+    /// The shortest play to a state, and then the event that met a mistake there.
+    fn play_to(&self, state: StateId, event: Option<EventId>) -> Vec<String> {
+        let Graph { first, label, target, .. } = &self.graph;
+        // States are numbered breadth first, so the first edge into a state lies on a shortest play.
+        let mut into: Vec<Option<(StateId, u32)>> = vec![None; self.store.len()];
+        for source in 0..first.len() - 1 {
+            for edge in first[source] as usize..first[source + 1] as usize {
+                if let Some(entry @ None) = into.get_mut(target[edge] as usize) {
+                    *entry = Some((source as StateId, label[edge]));
+                }
+            }
+        }
+        let mut labels: Vec<u32> = event.into_iter().collect();
+        let mut here = state;
+        while here != 0
+            && let Some((source, label)) = into[here as usize]
+        {
+            labels.push(label);
+            here = source;
+        }
+        labels.reverse();
+        labels.into_iter().map(|label| self.text(label)).collect()
+    }
+
+    fn text(&self, label: u32) -> String {
+        if label == YIELD { "yield".to_owned() } else { self.playout.event(label).text.clone() }
+    }
+
+    fn finish(self) -> Explored<'s> {
+        let Explorer { playout, store, graph, sets } = self;
+        let Graph { mut turn, mut silent, mut open, mut first, label, mut target, discharged } = graph;
+        for (placeholder, end) in [(LOST, Turn::Lost), (WON, Turn::Won)] {
+            if target.contains(&placeholder) {
+                let id = turn.len() as u32;
+                target.iter_mut().filter(|target| **target == placeholder).for_each(|target| *target = id);
+                turn.push(end);
+                silent.push(false);
+                open.push(0);
+                first.push(label.len() as u32);
+            }
+        }
+        let key_sets = sets.finish();
+        let is_open = open_somewhere(&open, &key_sets, playout.key_count());
+        let of_kind = |kind: Kind| -> Vec<u32> {
+            let spec = playout.spec();
+            let keys = (0..playout.key_count() as KeyId).filter(|&key| is_open[key as usize]);
+            keys.filter(|&key| spec.scenarios[playout.key(key).scenario].kind == kind).collect()
+        };
+        let (assumptions, guarantees) = (of_kind(Kind::Assumption), of_kind(Kind::Guarantee));
+        let game = Game {
+            initial: 0,
+            turn,
+            silent,
+            open,
+            first,
+            label,
+            target,
+            discharged,
+            key_sets,
+            assumptions,
+            guarantees,
+        };
+        Explored { playout, store, game }
+    }
+}
+
+/// Per key: whether it is open in some state. Others belong to copies that only events that cannot happen lead to.
+fn open_somewhere(open: &[u32], key_sets: &KeySets, keys: usize) -> Vec<bool> {
+    let mut used = vec![false; key_sets.len()];
+    for &set in open {
+        used[set as usize] = true;
+    }
+    let mut is_open = vec![false; keys];
+    for set in (0..key_sets.len() as u32).filter(|&set| used[set as usize]) {
+        for &key in key_sets.members(set) {
+            is_open[key as usize] = true;
+        }
+    }
+    is_open
+}

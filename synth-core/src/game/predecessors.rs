@@ -1,0 +1,48 @@
+//! The edges of a game, backwards.
+
+use super::Game;
+
+/// An edge as seen from its target.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Incoming {
+    /// The state that the edge leaves.
+    pub(super) source: u32,
+    /// The set of keys that the edge discharges.
+    pub(super) discharged: u32,
+}
+
+/// Per state its incoming edges, by ascending source.
+#[derive(Debug)]
+pub(super) struct Predecessors {
+    first: Vec<u32>,
+    incoming: Vec<Incoming>,
+}
+
+impl Predecessors {
+    /// Turns all edges around (a counting sort by target).
+    pub(super) fn new(game: &Game) -> Self {
+        // `first[t + 1]` is where the next edge into `t` goes, and so ends as the start of `t + 1`.
+        let mut first = vec![0; game.states() + 2];
+        for &target in &game.target {
+            first[target as usize + 2] += 1;
+        }
+        for state in 2..first.len() {
+            first[state] += first[state - 1];
+        }
+        let mut incoming = vec![Incoming { source: 0, discharged: 0 }; game.edges()];
+        for source in 0..game.states() as u32 {
+            for edge in game.edges_of(source) {
+                let next = &mut first[game.target[edge] as usize + 1];
+                incoming[*next as usize] = Incoming { source, discharged: game.discharged[edge] };
+                *next += 1;
+            }
+        }
+        first.pop();
+        Predecessors { first, incoming }
+    }
+
+    /// The edges that lead to `state`.
+    pub(super) fn of(&self, state: u32) -> &[Incoming] {
+        &self.incoming[self.first[state as usize] as usize..self.first[state as usize + 1] as usize]
+    }
+}

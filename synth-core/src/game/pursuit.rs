@@ -1,0 +1,245 @@
+//! One goal pursued inside a region: where can the system force that the goal is accepted once more, or that some
+//! assumption never is again?
+//!
+//! Only states in which the goal is open matter: the others accept it. Of these, states that are known to be good are
+//! removed from a set `left` and given a *rank*, in two ways that alternate:
+//!
+//! * **Attraction**: a system state with an edge (inside the region) that accepts or leads to a good state; an
+//!   environment state all of whose choices do. Silence is a choice that accepts nothing, so where the environment
+//!   may be silent nothing is attracted. The rank is the number of steps.
+//! * **Avoidance** of one assumption `A`: the largest part of `left` where `A` is open and in which the system can
+//!   keep the play, or see it go to good states, without a step that accepts `A`. It gets one rank for all, above
+//!   the ones before. A play that stays there is not fair to `A`; one that leaves it goes to a lower rank.
+//!
+//! So along moves that make *progress* (to a lower rank, or inside an avoidance without accepting its assumption)
+//! ranks never rise until the goal is accepted, and if they stay the same for ever, then in an avoidance.
+//!
+//! What is left in the end is the environment's: no system state has an edge to good states or one that accepts, each
+//! environment state has a choice that stays and does not, and for every `A` the environment can force its
+//! acceptance inside `left`, since otherwise there would be an avoidance. So it accepts them all in rotation.
+
+use super::{
+    Game,
+    acceptance::Acceptance,
+    predecessors::{Incoming, Predecessors},
+};
+use fixedbitset::FixedBitSet;
+
+/// Pursues goals one after the other, with arrays that are allocated once.
+#[derive(Debug)]
+pub(super) struct Pursuit<'g> {
+    game: &'g Game,
+    predecessors: &'g Predecessors,
+    assumptions: &'g [Acceptance],
+    /// The states not known to be good.
+    left: FixedBitSet,
+    /// Per good state in which the goal is open: its rank, from 1.
+    rank: Vec<u32>,
+    /// The good states in which the goal is open, by ascending rank.
+    good: Vec<u32>,
+    /// How many of `good` have been looked at by [`Self::attract`].
+    attracted: usize,
+    /// The states of an avoidance while it is computed.
+    kept: FixedBitSet,
+    /// The states that have been dropped from `kept`, to be looked at.
+    dropped: Vec<u32>,
+    /// Of an environment state in `left`: its choices that stay in `left` and do not accept the goal. Of a system
+    /// state in `kept`: its edges that stay in `kept` and do not accept the assumption.
+    choices: Vec<u32>,
+}
+
+impl<'g> Pursuit<'g> {
+    /// No goal is pursued yet.
+    pub(super) fn new(game: &'g Game, predecessors: &'g Predecessors, assumptions: &'g [Acceptance]) -> Self {
+        let states = game.states();
+        Pursuit {
+            game,
+            predecessors,
+            assumptions,
+            left: FixedBitSet::with_capacity(states),
+            rank: vec![0; states],
+            good: Vec::new(),
+            attracted: 0,
+            kept: FixedBitSet::with_capacity(states),
+            dropped: Vec::new(),
+            choices: vec![0; states],
+        }
+    }
+
+    /// Pursues `goal` inside `region`: the states from which the environment wins against it, and in `progress` the
+    /// edges of the other system states that make progress.
+    pub(super) fn run(
+        &mut self,
+        goal: &Acceptance,
+        region: &FixedBitSet,
+        progress: &mut FixedBitSet,
+    ) -> &FixedBitSet {
+        progress.clear();
+        self.start(goal, region);
+        self.attract(goal, region, progress);
+        // The assumptions in rotation, until none of them has an avoidance any more.
+        let (mut assumption, mut without) = (0, 0);
+        while without < self.assumptions.len() && !self.left.is_clear() {
+            without += 1;
+            if self.avoid(&self.assumptions[assumption], goal) {
+                self.collect_kept(&self.assumptions[assumption], progress);
+                self.attract(goal, region, progress);
+                without = 0;
+            }
+            assumption = (assumption + 1) % self.assumptions.len();
+        }
+        &self.left
+    }
+
+    /// The ranks of the last run; those of states in which its goal is not open have no meaning.
+    pub(super) fn into_ranks(self) -> Vec<u32> {
+        self.rank
+    }
+
+    /// The states of rank 1, and the choices of the others.
+    fn start(&mut self, goal: &Acceptance, region: &FixedBitSet) {
+        let Game { target, discharged, .. } = self.game;
+        self.good.clear();
+        self.attracted = 0;
+        self.left.clone_from(region);
+        self.left.intersect_with(&goal.open);
+        for state in self.left.ones() {
+            let mut edges = self.game.edges_of(state as u32);
+            let good = if self.game.turn[state].is_system() {
+                edges.any(|edge| {
+                    let target = target[edge] as usize;
+                    region.contains(target) && (goal.accepts(discharged[edge]) || !goal.open.contains(target))
+                })
+            } else {
+                // The environment does not leave the region, so `goal.open` is as good as `left`. Where there is no
+                // choice at all, as in `Turn::Won`, the play is over and the system has not lost.
+                let stays = |&edge: &usize| {
+                    !goal.accepts(discharged[edge]) && goal.open.contains(target[edge] as usize)
+                };
+                self.choices[state] = edges.filter(stays).count() as u32 + u32::from(self.game.silent[state]);
+                self.choices[state] == 0
+            };
+            if good {
+                self.good.push(state as u32);
+            }
+        }
+        for &state in &self.good {
+            self.left.set(state as usize, false);
+            self.rank[state as usize] = 1;
+        }
+    }
+
+    /// Attracts what can be forced to good states.
+    fn attract(&mut self, goal: &Acceptance, region: &FixedBitSet, progress: &mut FixedBitSet) {
+        while let Some(&state) = self.good.get(self.attracted) {
+            self.attracted += 1;
+            let rank = self.rank[state as usize];
+            if self.game.turn[state as usize].is_system() {
+                self.mark_progress(state, goal, region, progress);
+            }
+            for &Incoming { source, discharged } in self.predecessors.of(state) {
+                let index = source as usize;
+                if !self.left.contains(index) {
+                    continue;
+                }
+                if !self.game.turn[index].is_system() {
+                    if goal.accepts(discharged) {
+                        continue;
+                    }
+                    self.choices[index] -= 1;
+                    if self.choices[index] > 0 {
+                        continue;
+                    }
+                }
+                self.left.set(index, false);
+                self.rank[index] = rank + 1;
+                self.good.push(source);
+            }
+        }
+    }
+
+    /// Marks the edges of a system state that accept the goal or lead to a lower rank.
+    fn mark_progress(&self, state: u32, goal: &Acceptance, region: &FixedBitSet, progress: &mut FixedBitSet) {
+        let rank = self.rank[state as usize];
+        for edge in self.game.edges_of(state) {
+            let target = self.game.target[edge] as usize;
+            if region.contains(target)
+                && (goal.accepts(self.game.discharged[edge])
+                    || !goal.open.contains(target)
+                    || !self.left.contains(target) && self.rank[target] < rank)
+            {
+                progress.insert(edge);
+            }
+        }
+    }
+
+    /// Computes in `kept` the avoidance of `assumption`; whether there is one.
+    fn avoid(&mut self, assumption: &Acceptance, goal: &Acceptance) -> bool {
+        let Game { target, discharged, .. } = self.game;
+        self.kept.clone_from(&self.left);
+        self.kept.intersect_with(&assumption.open);
+        for state in self.kept.ones() {
+            let mut edges = self.game.edges_of(state as u32);
+            let avoids = |edge: usize| {
+                !assumption.accepts(discharged[edge]) && self.kept.contains(target[edge] as usize)
+            };
+            let drop = if self.game.turn[state].is_system() {
+                let count = edges.filter(|&edge| avoids(edge)).count() as u32;
+                self.choices[state] = count;
+                count == 0
+            } else {
+                edges.any(|edge| {
+                    let stays = self.left.contains(target[edge] as usize) && !goal.accepts(discharged[edge]);
+                    stays && !avoids(edge)
+                })
+            };
+            if drop {
+                self.dropped.push(state as u32);
+            }
+        }
+        for &state in &self.dropped {
+            self.kept.set(state as usize, false);
+        }
+        while let Some(state) = self.dropped.pop() {
+            for &Incoming { source, discharged } in self.predecessors.of(state) {
+                let index = source as usize;
+                if !self.kept.contains(index) {
+                    continue;
+                }
+                if self.game.turn[index].is_system() {
+                    if assumption.accepts(discharged) {
+                        continue;
+                    }
+                    self.choices[index] -= 1;
+                    if self.choices[index] > 0 {
+                        continue;
+                    }
+                } else if goal.accepts(discharged) {
+                    continue;
+                }
+                self.kept.set(index, false);
+                self.dropped.push(source);
+            }
+        }
+        !self.kept.is_clear()
+    }
+
+    /// Makes the states of an avoidance good, all with the same rank.
+    fn collect_kept(&mut self, assumption: &Acceptance, progress: &mut FixedBitSet) {
+        let rank = self.good.last().map_or(0, |&last| self.rank[last as usize]) + 1;
+        self.left.difference_with(&self.kept);
+        for state in self.kept.ones() {
+            self.rank[state] = rank;
+            self.good.push(state as u32);
+            if self.game.turn[state].is_system() {
+                for edge in self.game.edges_of(state as u32) {
+                    if !assumption.accepts(self.game.discharged[edge])
+                        && self.kept.contains(self.game.target[edge] as usize)
+                    {
+                        progress.insert(edge);
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! Solving the GR(1) game: from which states the system can win, and by which moves.
+//!
+//! With `A_i` and `G_j` for "the play is fair to that key" the system wants `(A_1 ∧ … ∧ A_m) → (G_1 ∧ … ∧ G_n)`
+//! without ever entering [`Turn::Lost`](super::Turn::Lost). It wins exactly from the largest region `R`
+//!
+//! 1. that the environment cannot leave and in which the system can stay ([`Region`] keeps it so), and
+//! 2. from all of whose states, for every `j`, the system can force, inside `R`, that `G_j` is accepted once more or
+//!    that some `A_i` is never accepted again ([`Pursuit`] decides it).
+//!
+//! *Winning*: pursue the `G_j` in turn; either all are accepted again and again, or one pursuit never ends, and then
+//! some `A_i` is accepted only finitely often. *Largest*: where `Pursuit` leaves a set `W` over, the environment can
+//! stay in `W` or be let out of `R`, accepting every `A_i` again and again but `G_j` never; so it wins from `W`
+//! and from all states from which it can force the play to `W`. Removing these until nothing is left to remove gives
+//! the greatest fixed point of Bloem, Jobstmann, Piterman, Pnueli and Sa'ar, "Synthesis of Reactive(1) Designs"
+//! (2012), by removal rather than by iteration, as Chatterjee, Dvořák, Henzinger and Loitzenbauer do in
+//! "Conditionally Optimal Algorithms for Generalized Büchi Games" (2016).
+
+use super::{Game, acceptance::Acceptance, predecessors::Predecessors, pursuit::Pursuit, region::Region};
+use fixedbitset::FixedBitSet;
+
+/// Who wins where, and the moves by which the system does.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// The states from which the system wins.
+    pub winning: FixedBitSet,
+    /// Per goal (the guarantees, then the one that super steps end): the edges of system states that make progress
+    /// towards it. A winning system state in which the goal's key is open has one at least, others have none.
+    pub(super) progress: Vec<FixedBitSet>,
+    /// Per winning system state: how many system choices the rest of the super step takes at least.
+    pub(super) remaining: Vec<u32>,
+}
+
+impl Solution {
+    /// Whether the system wins from `state`.
+    #[must_use]
+    pub fn wins(&self, state: u32) -> bool {
+        self.winning.contains(state as usize)
+    }
+
+    /// Number of states from which the system wins.
+    #[must_use]
+    pub fn winning_states(&self) -> usize {
+        self.winning.count_ones(..)
+    }
+}
+
+/// Solves the game.
+///
+/// Time is that of a few passes over the edges for each goal in practice, and quadratic in the number of states at
+/// worst. Memory beside the game: eight `u32` for a state, two for an edge, one bit for each pair of a key and a
+/// state and of a goal and an edge.
+#[must_use]
+pub fn solve(game: &Game) -> Solution {
+    let predecessors = Predecessors::new(game);
+    let assumptions = Acceptance::assumptions(game);
+    let goals = Acceptance::goals(game);
+    let mut region = Region::new(game, &predecessors);
+    let mut pursuit = Pursuit::new(game, &predecessors, &assumptions);
+    let super_steps = goals.len() - 1;
+    let mut progress = vec![FixedBitSet::with_capacity(game.edges()); goals.len()];
+    let mut settled = vec![false; goals.len()];
+    let mut goal = 0;
+    while settled.contains(&false) {
+        if !settled[goal] {
+            settled[goal] = true;
+            let lost = pursuit.run(&goals[goal], &region.states, &mut progress[goal]);
+            if !lost.is_clear() {
+                region.remove(game, &predecessors, lost);
+                for ((goal, progress), settled) in goals.iter().zip(&progress).zip(&mut settled) {
+                    *settled = *settled && keeps_progress(game, &predecessors, &region, goal, progress);
+                }
+            }
+        }
+        goal = (goal + 1) % goals.len();
+    }
+    let remaining = {
+        pursuit.run(&goals[super_steps], &region.states, &mut progress[super_steps]);
+        pursuit.into_ranks()
+    };
+    Solution { winning: region.states, progress, remaining }
+}
+
+/// Whether what a pursuit found out still holds after the last removal from the region.
+///
+/// It does if all states that it found to be good and that are still there can still make progress. The moves of the
+/// environment need no look: they all remain, and lead to good states.
+fn keeps_progress(
+    game: &Game,
+    predecessors: &Predecessors,
+    region: &Region,
+    goal: &Acceptance,
+    progress: &FixedBitSet,
+) -> bool {
+    let stays = |edge: usize| region.states.contains(game.target[edge] as usize);
+    region.removed.iter().flat_map(|&state| predecessors.of(state)).all(|incoming| {
+        let source = incoming.source as usize;
+        !game.turn[source].is_system()
+            || !region.states.contains(source)
+            || !goal.open.contains(source)
+            || game.edges_of(incoming.source).any(|edge| progress.contains(edge) && stays(edge))
+    })
+}

@@ -1,0 +1,224 @@
+//! What a copy wants: the events that messages with a modality at its cut ask for.
+
+use super::copies::{Copies, CopyId};
+use super::events::{EventId, Events, Signature, for_each_combination, parameter_values, players};
+use super::{PlayError, ValuationId, play_error};
+use crate::diagnostic::Code;
+use crate::model::{
+    Argument, Kind, Message, Modality, NodeKind, RoleRef, Scenario, Scope, Spec, Type, UNSET, Value,
+};
+use rustc_hash::FxHashMap;
+use std::cell::Cell;
+
+/// An event that is asked for, or the mistake of a message whose arguments have no value.
+pub(super) type Wanted = Result<EventId, PlayError>;
+
+/// The offers of one copy.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Offers {
+    /// Guarantees: what the system is asked to send, and how urgently.
+    pub(super) system: Vec<(Modality, Wanted)>,
+    /// Assumptions: what the environment is said to send; `None` for a monitored message.
+    pub(super) environment: Vec<(Option<Modality>, EventId)>,
+}
+
+const UNKNOWN: u32 = u32::MAX;
+const DEPENDS: u32 = u32::MAX - 1;
+
+/// Offers remembered, like reactions.
+#[derive(Debug, Default)]
+pub(super) struct OfferTable {
+    offers: Vec<Offers>,
+    of_copy: Vec<u32>,
+    in_valuation: FxHashMap<(CopyId, ValuationId), u32>,
+}
+
+impl OfferTable {
+    pub(super) fn get(&self, offers: u32) -> &Offers {
+        &self.offers[offers as usize]
+    }
+
+    /// The offers of a copy under a valuation, whose values are `attributes`.
+    pub(super) fn of(
+        &mut self,
+        spec: &Spec,
+        events: &mut Events,
+        copies: &Copies,
+        copy: CopyId,
+        (valuation, attributes): (ValuationId, &[Value]),
+    ) -> u32 {
+        let row = copy as usize;
+        if self.of_copy.len() <= row {
+            self.of_copy.resize(row + 1, UNKNOWN);
+        }
+        match self.of_copy[row] {
+            UNKNOWN => {}
+            DEPENDS => {
+                if let Some(&known) = self.in_valuation.get(&(copy, valuation)) {
+                    return known;
+                }
+            }
+            known => return known,
+        }
+        let reads_state = Cell::new(false);
+        let offers = collect(spec, events, copies, copy, attributes, &reads_state);
+        let id = self.offers.len() as u32;
+        self.offers.push(offers);
+        if reads_state.get() {
+            self.of_copy[row] = DEPENDS;
+            self.in_valuation.insert((copy, valuation), id);
+        } else {
+            self.of_copy[row] = id;
+        }
+        id
+    }
+}
+
+fn collect(
+    spec: &Spec,
+    events: &mut Events,
+    copies: &Copies,
+    id: CopyId,
+    attributes: &[Value],
+    reads_state: &Cell<bool>,
+) -> Offers {
+    let copy = copies.get(id);
+    let scenario = &spec.scenarios[copy.scenario];
+    let scope = Scope {
+        domain: &spec.domain,
+        attributes,
+        roles: &copy.roles,
+        variables: &copy.variables,
+        event: (UNSET, UNSET, &[]),
+        reads_state,
+    };
+    let mut offers = Offers::default();
+    for &node in &copy.cut {
+        let NodeKind::Message { monitored, modality: Some(modality), message, .. } =
+            &scenario.nodes[usize::from(node)].kind
+        else {
+            continue;
+        };
+        let cause = (!monitored).then_some(*modality);
+        match (scenario.kind, cause) {
+            (Kind::Assumption, cause) => {
+                for event in matching(spec, events, scenario, message, &scope) {
+                    offers.environment.push((cause, event));
+                }
+            }
+            (Kind::Guarantee, Some(modality)) => {
+                for wanted in to_send(spec, events, scenario, message, &scope) {
+                    offers.system.push((modality, wanted));
+                }
+            }
+            (Kind::Guarantee, None) | (Kind::Existential, _) => {}
+        }
+    }
+    offers
+}
+
+/// The environment's events that are this message, given what is bound.
+fn matching(
+    spec: &Spec,
+    events: &Events,
+    scenario: &Scenario,
+    message: &Message,
+    scope: &Scope<'_>,
+) -> Vec<EventId> {
+    let role = |role: RoleRef, object: usize| match role {
+        RoleRef::Object(o) => o == object,
+        RoleRef::Dynamic(r) if scope.roles[r] == UNSET => {
+            spec.domain.is_instance(object as Value, scenario.roles[r].class)
+        }
+        RoleRef::Dynamic(r) => scope.roles[r] == object as Value,
+    };
+    let argument = |argument: &Argument, given: Value| match argument {
+        Argument::Any => true,
+        Argument::Bind(variable) => match scenario.variables[*variable].ty {
+            ty @ Type::Class(_) => spec.domain.fits(given, ty),
+            _ => true,
+        },
+        Argument::Value(value) => scope.eval(value) == Ok(given),
+    };
+    events
+        .universe()
+        .filter(|&id| {
+            let event = events.get(id);
+            event.operation == message.operation
+                && role(message.sender, event.sender)
+                && role(message.receiver, event.receiver)
+                && (message.sender != message.receiver || event.sender == event.receiver)
+                && message.arguments.iter().zip(&event.arguments).all(|(a, &given)| argument(a, given))
+        })
+        .collect()
+}
+
+/// The events that the system is asked to send by this message; unbound arguments are expanded.
+fn to_send(
+    spec: &Spec,
+    events: &mut Events,
+    scenario: &Scenario,
+    message: &Message,
+    scope: &Scope<'_>,
+) -> Vec<Wanted> {
+    let bound = |role: RoleRef| match role {
+        RoleRef::Dynamic(r) if scope.roles[r] != UNSET => vec![scope.roles[r] as usize],
+        role => players(spec, scenario, role),
+    };
+    let parameters = &spec.domain.operations[message.operation].parameters;
+    let mut wanted = Vec::new();
+    for sender in bound(message.sender).into_iter().filter(|&sender| spec.controllable[sender]) {
+        for receiver in bound(message.receiver) {
+            if message.sender == message.receiver && sender != receiver {
+                continue;
+            }
+            let mut choices = Vec::new();
+            for (index, argument) in message.arguments.iter().enumerate() {
+                choices.push(match argument {
+                    Argument::Any => parameter_values(spec, receiver, message.operation, index),
+                    Argument::Bind(variable) => {
+                        let ty = scenario.variables[*variable].ty;
+                        let mut values = parameter_values(spec, receiver, message.operation, index);
+                        values.retain(|&value| !super::cut::is_class(ty) || spec.domain.fits(value, ty));
+                        values
+                    }
+                    Argument::Value(value) => match scope.eval(value) {
+                        Ok(value) => match check_argument(spec, message, &parameters[index], value) {
+                            Ok(values) => values,
+                            Err(mistake) => return vec![Err(mistake)],
+                        },
+                        Err(failure) => return vec![Err(play_error(failure, message.span))],
+                    },
+                });
+            }
+            for_each_combination(&choices, &mut |arguments| {
+                let operation = message.operation;
+                let signature = Signature { sender, receiver, operation, arguments: arguments.into() };
+                wanted.push(Ok(events.intern(spec, signature)));
+            });
+        }
+    }
+    wanted
+}
+
+/// The value of an evaluated argument: an object of the wrong class fits nothing, an integer out of range is a
+/// mistake.
+fn check_argument(
+    spec: &Spec,
+    message: &Message,
+    (name, ty): &(String, Type),
+    value: Value,
+) -> Result<Vec<Value>, PlayError> {
+    match ty {
+        _ if spec.domain.fits(value, *ty) => Ok(vec![value]),
+        Type::Class(_) => Ok(Vec::new()),
+        _ => Err(PlayError {
+            code: Code::PlayOutRange,
+            span: message.span,
+            message: format!(
+                "argument `{name}` would be `{value}`, which is not in `{}`",
+                spec.domain.show_type(*ty)
+            ),
+        }),
+    }
+}

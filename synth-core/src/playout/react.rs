@@ -1,0 +1,484 @@
+//! What one event does to one copy, and which copies it starts.
+
+use super::copies::{Copies, CopyId, Identity};
+use super::cut::{Rest, Walker};
+use super::events::{Event, EventId, ROWS};
+use super::keys::{KeyId, Keys};
+use super::{PlayError, ValuationId, play_error};
+use crate::model::{
+    Argument, ConstraintKind, Failure, Kind, Message, NodeId, NodeKind, RoleRef, Scenario, Scope, Spec,
+    UNSET, Value,
+};
+use rustc_hash::FxHashMap;
+use std::cell::Cell;
+
+/// What becomes of a copy, or what an event starts.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Outcome {
+    /// The copies afterwards: for a reaction one or none.
+    pub(super) copies: Vec<CopyId>,
+    /// Scenarios that are violated: for a reaction one or none.
+    pub(super) violated: Vec<usize>,
+    /// Keys that the copy had and met, ascending.
+    pub(super) discharged: Vec<KeyId>,
+    /// A mistake met on the way.
+    pub(super) error: Option<PlayError>,
+}
+
+/// Index of an outcome.
+pub(super) type OutcomeId = u32;
+
+const UNKNOWN: u32 = u32::MAX;
+const DEPENDS: u32 = u32::MAX - 1;
+
+/// Outcomes remembered: for all states where they depend on no attribute that can change, else per valuation.
+#[derive(Debug, Default)]
+pub(super) struct Reactions {
+    outcomes: Vec<Outcome>,
+    /// Per event: what it starts.
+    started: Vec<u32>,
+    started_in: FxHashMap<(EventId, ValuationId), OutcomeId>,
+    /// Per copy and event.
+    reacted: Vec<Vec<u32>>,
+    reacted_in: FxHashMap<(CopyId, EventId, ValuationId), OutcomeId>,
+}
+
+/// The surroundings of one event: everything that an outcome can depend on.
+pub(super) struct Occasion<'a> {
+    pub(super) spec: &'a Spec,
+    pub(super) id: EventId,
+    pub(super) event: &'a Event,
+    /// The valuation before the event, and its values.
+    pub(super) valuation: ValuationId,
+    pub(super) before: &'a [Value],
+    /// The values after its effects.
+    pub(super) after: &'a [Value],
+}
+
+impl Reactions {
+    pub(super) fn outcome(&self, outcome: OutcomeId) -> &Outcome {
+        &self.outcomes[outcome as usize]
+    }
+
+    pub(super) fn memory(&self) -> usize {
+        let rows: usize = self.reacted.iter().map(|row| row.capacity() * size_of::<u32>()).sum();
+        rows + self.reacted_in.capacity() * 24 + self.outcomes.capacity() * size_of::<Outcome>()
+    }
+
+    fn push(&mut self, outcome: Outcome) -> OutcomeId {
+        self.outcomes.push(outcome);
+        (self.outcomes.len() - 1) as OutcomeId
+    }
+
+    /// What becomes of `copy`.
+    pub(super) fn react(
+        &mut self,
+        copies: &mut Copies,
+        keys: &mut Keys,
+        copy: CopyId,
+        occasion: &Occasion<'_>,
+    ) -> OutcomeId {
+        let (row, column) = (copy as usize, occasion.id as usize);
+        if self.reacted.len() <= row {
+            self.reacted.resize(row + 1, Vec::new());
+        }
+        if self.reacted[row].len() <= column {
+            self.reacted[row].resize(column + 1, UNKNOWN);
+        }
+        match self.reacted[row][column] {
+            UNKNOWN => {}
+            DEPENDS => {
+                if let Some(&known) = self.reacted_in.get(&(copy, occasion.id, occasion.valuation)) {
+                    return known;
+                }
+            }
+            known => return known,
+        }
+        let reads_state = Cell::new(false);
+        let outcome = reaction(copies, keys, copy, occasion, &reads_state);
+        let id = self.push(outcome);
+        if reads_state.get() {
+            self.reacted[row][column] = DEPENDS;
+            self.reacted_in.insert((copy, occasion.id, occasion.valuation), id);
+        } else {
+            self.reacted[row][column] = id;
+        }
+        id
+    }
+
+    /// Which copies the event starts.
+    pub(super) fn start(
+        &mut self,
+        copies: &mut Copies,
+        keys: &mut Keys,
+        occasion: &Occasion<'_>,
+    ) -> OutcomeId {
+        let column = occasion.id as usize;
+        if self.started.len() <= column {
+            self.started.resize(column + 1, UNKNOWN);
+        }
+        match self.started[column] {
+            UNKNOWN => {}
+            DEPENDS => {
+                if let Some(&known) = self.started_in.get(&(occasion.id, occasion.valuation)) {
+                    return known;
+                }
+            }
+            known => return known,
+        }
+        let reads_state = Cell::new(false);
+        let mut outcome = Outcome::default();
+        for scenario in 0..occasion.spec.scenarios.len() {
+            start(copies, keys, scenario, occasion, &reads_state, &mut outcome);
+        }
+        let id = self.push(outcome);
+        if reads_state.get() {
+            self.started[column] = DEPENDS;
+            self.started_in.insert((occasion.id, occasion.valuation), id);
+        } else {
+            self.started[column] = id;
+        }
+        id
+    }
+}
+
+/// Matches patterns against the event for one copy.
+struct Matcher<'a> {
+    occasion: &'a Occasion<'a>,
+    scenario: &'a Scenario,
+    roles: &'a [Value],
+    variables: &'a [Value],
+    reads_state: &'a Cell<bool>,
+}
+
+impl Matcher<'_> {
+    fn scope(&self) -> Scope<'_> {
+        Scope {
+            domain: &self.occasion.spec.domain,
+            attributes: self.occasion.before,
+            roles: self.roles,
+            variables: self.variables,
+            event: (UNSET, UNSET, &[]),
+            reads_state: self.reads_state,
+        }
+    }
+
+    fn role(&self, role: RoleRef, object: usize) -> bool {
+        match role {
+            RoleRef::Object(o) => o == object,
+            RoleRef::Dynamic(r) if self.roles[r] == UNSET => {
+                let class = self.scenario.roles[r].class;
+                self.occasion.spec.domain.is_instance(object as Value, class)
+            }
+            RoleRef::Dynamic(r) => self.roles[r] == object as Value,
+        }
+    }
+
+    fn ends(&self, message: &Message) -> bool {
+        let event = self.occasion.event;
+        message.operation == event.operation
+            && self.role(message.sender, event.sender)
+            && self.role(message.receiver, event.receiver)
+            && (message.sender != message.receiver || event.sender == event.receiver)
+    }
+
+    /// Whether the event is the message, which is enabled at the cut.
+    fn is_message(&self, message: &Message) -> Result<bool, PlayError> {
+        if !self.ends(message) {
+            return Ok(false);
+        }
+        for (argument, &given) in message.arguments.iter().zip(&self.occasion.event.arguments) {
+            let matches = match argument {
+                Argument::Any => true,
+                Argument::Bind(variable) => self.can_hold(*variable, given),
+                Argument::Value(value) => {
+                    self.scope().eval(value).map_err(|failure| play_error(failure, message.span))? == given
+                }
+            };
+            if !matches {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// A variable of a subclass only takes what fits; integers are checked when they are stored.
+    fn can_hold(&self, variable: usize, given: Value) -> bool {
+        let ty = self.scenario.variables[variable].ty;
+        !super::cut::is_class(ty) || self.occasion.spec.domain.fits(given, ty)
+    }
+
+    /// Whether the event matches a pattern that is not enabled: what is not set yet matches anything, a path through
+    /// `null` nothing.
+    fn is_like(&self, message: &Message) -> bool {
+        self.ends(message)
+            && message.arguments.iter().zip(&self.occasion.event.arguments).all(|(argument, &given)| {
+                match argument {
+                    Argument::Any | Argument::Bind(_) => true,
+                    Argument::Value(value) => match self.scope().eval(value) {
+                        Ok(value) => value == given,
+                        Err(Failure::Unset) => true,
+                        Err(Failure::Null(_) | Failure::Overflow(_)) => false,
+                    },
+                }
+            })
+    }
+
+    /// Whether a constraint of this kind that is in force at the cut matches.
+    fn constrained(&self, cut: &[NodeId], kind: ConstraintKind) -> bool {
+        let mut bodies: Vec<NodeId> = Vec::new();
+        for &leaf in cut {
+            let mut node = leaf;
+            while node != 0 {
+                node = self.scenario.nodes[usize::from(node)].parent;
+                bodies.push(node);
+            }
+        }
+        bodies.sort_unstable();
+        bodies.dedup();
+        bodies.iter().any(|&body| match &self.scenario.nodes[usize::from(body)].kind {
+            NodeKind::Body { constraints, .. } => {
+                constraints.iter().any(|c| c.kind == kind && self.is_like(&c.message))
+            }
+            _ => false,
+        })
+    }
+}
+
+/// The first row of the reaction table that applies to the copy.
+enum Reaction {
+    Moves(NodeId),
+    Stays,
+    Ends,
+    Violates,
+}
+
+fn reaction(
+    copies: &mut Copies,
+    keys: &mut Keys,
+    id: CopyId,
+    occasion: &Occasion<'_>,
+    reads_state: &Cell<bool>,
+) -> Outcome {
+    let copy = copies.get(id);
+    let scenario = &occasion.spec.scenarios[copy.scenario];
+    let mut outcome = Outcome::default();
+    let matcher = Matcher { occasion, scenario, roles: &copy.roles, variables: &copy.variables, reads_state };
+    let reaction = first_row(&matcher, &copy.cut, copy.strict, &mut outcome.error);
+    let mut walker = walker(occasion, scenario, reads_state, copy.roles.to_vec(), copy.variables.to_vec());
+    walker.cut = copy.cut.to_vec();
+    let rest = match reaction {
+        Reaction::Ends => Rest::Ended,
+        Reaction::Violates => Rest::Violated,
+        Reaction::Stays => walker.settle(),
+        Reaction::Moves(node) => {
+            bind(&mut walker, node, occasion.event);
+            walker.passed.push(node);
+            walker.move_past(node);
+            walker.settle()
+        }
+    };
+    for &(node, key) in &copy.obligations {
+        if walker.passed.contains(&node) {
+            outcome.discharged.push(key);
+        }
+    }
+    outcome.discharged.sort_unstable();
+    let scenario = copy.scenario;
+    conclude(copies, keys, scenario, walker, rest, &mut outcome);
+    outcome
+}
+
+fn first_row(matcher: &Matcher<'_>, cut: &[NodeId], strict: bool, error: &mut Option<PlayError>) -> Reaction {
+    for &node in cut {
+        let Some(message) = matcher.scenario.message(node) else { continue };
+        match matcher.is_message(message) {
+            Ok(true) => return Reaction::Moves(node),
+            Ok(false) => {}
+            Err(mistake) => *error = error.take().or(Some(mistake)),
+        }
+    }
+    let out_of_order = if strict { Reaction::Violates } else { Reaction::Ends };
+    for kind in ROWS {
+        if matcher.constrained(cut, kind) {
+            return match kind {
+                ConstraintKind::Ignore => Reaction::Stays,
+                ConstraintKind::Forbidden => Reaction::Violates,
+                ConstraintKind::Interrupt => Reaction::Ends,
+                ConstraintKind::Consider => out_of_order,
+            };
+        }
+    }
+    if matcher.scenario.messages().any(|message| matcher.is_like(message)) {
+        out_of_order
+    } else {
+        Reaction::Stays
+    }
+}
+
+fn walker<'a>(
+    occasion: &'a Occasion<'a>,
+    scenario: &'a Scenario,
+    reads_state: &'a Cell<bool>,
+    roles: Vec<Value>,
+    variables: Vec<Value>,
+) -> Walker<'a> {
+    Walker {
+        spec: occasion.spec,
+        scenario,
+        attributes: occasion.after,
+        roles,
+        variables,
+        cut: Vec::new(),
+        passed: Vec::new(),
+        error: None,
+        reads_state,
+    }
+}
+
+/// Binds what the message leaves open to what the event says.
+fn bind(walker: &mut Walker<'_>, node: NodeId, event: &Event) {
+    let scenario = walker.scenario;
+    let Some(message) = scenario.message(node) else { return };
+    for (role, object) in [(message.sender, event.sender), (message.receiver, event.receiver)] {
+        if let RoleRef::Dynamic(role) = role {
+            walker.roles[role] = object as Value;
+        }
+    }
+    for (argument, &value) in message.arguments.iter().zip(&event.arguments) {
+        if let Argument::Bind(variable) = argument {
+            walker.assign(*variable, value, message.span);
+        }
+    }
+}
+
+/// Files the copy under its outcome.
+fn conclude(
+    copies: &mut Copies,
+    keys: &mut Keys,
+    scenario: usize,
+    walker: Walker<'_>,
+    rest: Rest,
+    outcome: &mut Outcome,
+) {
+    let Walker { spec, roles, variables, cut, error, .. } = walker;
+    outcome.error = outcome.error.take().or(error);
+    match rest {
+        Rest::Waits => {
+            let identity =
+                Identity { scenario, roles: roles.into(), variables: variables.into(), cut: cut.into() };
+            outcome.copies.push(copies.intern(spec, keys, identity));
+        }
+        Rest::Violated if spec.scenarios[scenario].kind != Kind::Existential => {
+            outcome.violated.push(scenario);
+        }
+        Rest::Violated | Rest::Ended => {}
+    }
+}
+
+/// Starts a copy of the scenario if one of its initial messages is the event; the textually first one counts.
+fn start(
+    copies: &mut Copies,
+    keys: &mut Keys,
+    index: usize,
+    occasion: &Occasion<'_>,
+    reads_state: &Cell<bool>,
+    outcome: &mut Outcome,
+) {
+    let scenario = &occasion.spec.scenarios[index];
+    if scenario.kind == Kind::Existential {
+        return;
+    }
+    let operation = occasion.event.operation;
+    for &node in &scenario.initial {
+        // The cheap test first: most scenarios have nothing to do with most events.
+        let Some(message) = scenario.message(node).filter(|m| m.operation == operation) else { continue };
+        let roles = vec![UNSET; scenario.roles.len()];
+        let mut walker =
+            walker(occasion, scenario, reads_state, roles, vec![UNSET; scenario.variables.len()]);
+        // Conditions, declarations and arguments in front of the message see the state before the effects.
+        walker.attributes = occasion.before;
+        if !declare_in_front(&mut walker, node) {
+            continue;
+        }
+        let matcher =
+            Matcher { occasion, scenario, roles: &walker.roles, variables: &walker.variables, reads_state };
+        match matcher.is_message(message) {
+            Ok(true) => {}
+            Ok(false) => continue,
+            Err(mistake) => {
+                outcome.error = outcome.error.take().or(Some(mistake));
+                continue;
+            }
+        }
+        bind(&mut walker, node, occasion.event);
+        walker.attributes = occasion.after;
+        if bind_roles(&mut walker) {
+            enter_siblings(&mut walker, node);
+            walker.move_past(node);
+            let rest = walker.settle();
+            conclude(copies, keys, index, walker, rest, outcome);
+        } else {
+            outcome.error = outcome.error.take().or(walker.error);
+        }
+        return;
+    }
+}
+
+/// Runs the declarations in front of an initial message; `false` if it lies in a case that is not offered now.
+fn declare_in_front(walker: &mut Walker<'_>, node: NodeId) -> bool {
+    let scenario = walker.scenario;
+    let mut path = vec![node];
+    while path[path.len() - 1] != 0 {
+        path.push(scenario.nodes[usize::from(path[path.len() - 1])].parent);
+    }
+    path.reverse();
+    for step in path.windows(2) {
+        let (parent, child) = (step[0], step[1]);
+        match &scenario.nodes[usize::from(parent)].kind {
+            NodeKind::Body { children, .. } => {
+                for &declaration in children.iter().take_while(|&&c| c != child) {
+                    walker.run_declaration(declaration);
+                }
+            }
+            NodeKind::Alternative(cases) => {
+                let case = cases.iter().find(|case| case.body == child);
+                if !case.is_some_and(|case| walker.is_offered(case)) {
+                    return false;
+                }
+            }
+            _ => {}
+        }
+    }
+    true
+}
+
+/// Evaluates `bindings`; `false` if one gives `null` or contradicts the message, and no copy starts.
+pub(super) fn bind_roles(walker: &mut Walker<'_>) -> bool {
+    let scenario = walker.scenario;
+    for (role, value, span) in &scenario.bindings {
+        let Some(value) = walker.value(value, *span) else { return false };
+        let class = scenario.roles[*role].class;
+        let fits = walker.spec.domain.is_instance(value, class);
+        if !fits || (walker.roles[*role] != UNSET && walker.roles[*role] != value) {
+            return false;
+        }
+        walker.roles[*role] = value;
+    }
+    true
+}
+
+/// Enters the other branches of every `parallel` around an initial message.
+fn enter_siblings(walker: &mut Walker<'_>, node: NodeId) {
+    let scenario = walker.scenario;
+    let mut child = node;
+    while child != 0 {
+        let parent = scenario.nodes[usize::from(child)].parent;
+        if let NodeKind::Parallel(branches) = &scenario.nodes[usize::from(parent)].kind {
+            for &branch in branches.iter().filter(|&&branch| branch != child) {
+                walker.enter(branch);
+            }
+        }
+        child = parent;
+    }
+}

@@ -1,0 +1,195 @@
+//! One step: `step(state, event)` of the language reference, section 3.
+
+use super::cut::{Rest, Walker};
+use super::events::{Event, EventId};
+use super::keys::KeyId;
+use super::react::{Occasion, bind_roles};
+use super::{Config, PlayError, Playout, ValuationId, play_error};
+use crate::diagnostic::Code;
+use crate::model::{Effect, Endpoint, Kind, Scope, Spec, UNSET, Value};
+use std::cell::Cell;
+
+/// What a step leads to. Reused from step to step to save allocations.
+#[derive(Clone, Debug, Default)]
+pub struct Step {
+    /// The state after it.
+    pub config: Config,
+    /// Scenarios that it violates, as indices, ascending.
+    pub violated: Vec<usize>,
+    /// Keys that it discharges, ascending, without duplicates.
+    pub discharged: Vec<KeyId>,
+    /// A mistake met on the way; the rest of the result is then a best effort.
+    pub error: Option<PlayError>,
+}
+
+impl Step {
+    /// Whether a scenario of this kind is violated.
+    #[must_use]
+    pub fn violates(&self, spec: &Spec, kind: Kind) -> bool {
+        self.violated.iter().any(|&scenario| spec.scenarios[scenario].kind == kind)
+    }
+}
+
+impl Playout<'_> {
+    /// The initial state: declared values and the copies of scenarios that start at once, settled.
+    ///
+    /// # Errors
+    /// A scenario is violated from the start, or a mistake shows while settling.
+    pub fn initial(&mut self) -> Result<Config, PlayError> {
+        let mut config = Config::default();
+        for index in 0..self.spec.scenarios.len() {
+            let scenario = &self.spec.scenarios[index];
+            if scenario.kind == Kind::Existential || !scenario.initial.is_empty() {
+                continue;
+            }
+            let reads_state = Cell::new(false);
+            let mut walker = Walker {
+                spec: self.spec,
+                scenario,
+                attributes: &self.spec.domain.initial,
+                roles: vec![UNSET; scenario.roles.len()],
+                variables: vec![UNSET; scenario.variables.len()],
+                cut: Vec::new(),
+                passed: Vec::new(),
+                error: None,
+                reads_state: &reads_state,
+            };
+            let rest = if bind_roles(&mut walker) && walker.enter(0) { walker.settle() } else { Rest::Ended };
+            if let Some(error) = walker.error {
+                return Err(error);
+            }
+            match rest {
+                Rest::Waits => {
+                    let Walker { roles, variables, cut, .. } = walker;
+                    let identity = super::copies::Identity {
+                        scenario: index,
+                        roles: roles.into(),
+                        variables: variables.into(),
+                        cut: cut.into(),
+                    };
+                    config.copies.push(self.copies.intern(self.spec, &mut self.keys, identity));
+                }
+                Rest::Violated => {
+                    return Err(PlayError {
+                        code: Code::ViolatedInitially,
+                        span: scenario.span,
+                        message: format!("scenario `{}` is violated in the initial state", scenario.name),
+                    });
+                }
+                Rest::Ended => {}
+            }
+        }
+        config.copies.sort_unstable();
+        Ok(config)
+    }
+
+    /// What `event` does in `config`, whether or not it may happen there.
+    pub fn step(&mut self, config: &Config, event: EventId, step: &mut Step) {
+        step.violated.clear();
+        step.discharged.clear();
+        step.config.copies.clear();
+        step.config.yielded = false;
+        let (valuation, mistake) = self.effects(config.valuation, event);
+        step.config.valuation = valuation;
+        step.error = mistake;
+        let occasion = Occasion {
+            spec: self.spec,
+            id: event,
+            event: self.events.get(event),
+            valuation: config.valuation,
+            before: self.valuations.get(config.valuation),
+            after: self.valuations.get(valuation),
+        };
+        for &copy in &config.copies {
+            let outcome = self.reactions.react(&mut self.copies, &mut self.keys, copy, &occasion);
+            let outcome = self.reactions.outcome(outcome);
+            step.config.copies.extend_from_slice(&outcome.copies);
+            step.violated.extend_from_slice(&outcome.violated);
+            step.discharged.extend_from_slice(&outcome.discharged);
+            step.error = step.error.take().or_else(|| outcome.error.clone());
+        }
+        let started = self.reactions.start(&mut self.copies, &mut self.keys, &occasion);
+        let started = self.reactions.outcome(started);
+        step.config.copies.extend_from_slice(&started.copies);
+        step.violated.extend_from_slice(&started.violated);
+        step.error = step.error.take().or_else(|| started.error.clone());
+        for list in [&mut step.config.copies, &mut step.discharged] {
+            list.sort_unstable();
+            list.dedup();
+        }
+        step.violated.sort_unstable();
+        step.violated.dedup();
+    }
+
+    /// The valuation after the event's effects: those that match in textual order, then the implicit `setX`.
+    fn effects(&mut self, valuation: ValuationId, event: EventId) -> (ValuationId, Option<PlayError>) {
+        let spec = self.spec;
+        let event = self.events.get(event);
+        let setter = spec.domain.operations[event.operation].sets;
+        let mut matching = spec.effects.iter().filter(|effect| applies(spec, effect, event)).peekable();
+        if matching.peek().is_none() && setter.is_none() {
+            return (valuation, None);
+        }
+        let mut values = self.valuations.get(valuation).to_vec();
+        let mut mistake = None;
+        for effect in matching {
+            for assignment in &effect.assignments {
+                let result = assign(spec, event, assignment, &mut values);
+                mistake = mistake.or(result.err());
+            }
+        }
+        if let Some(attribute) = setter {
+            // The parameter has the attribute's type, so the value fits.
+            values[spec.domain.slot(event.receiver, attribute)] = event.arguments[0];
+        }
+        (self.valuations.intern(&values), mistake)
+    }
+}
+
+fn applies(spec: &Spec, effect: &Effect, event: &Event) -> bool {
+    let at = |endpoint: Endpoint, object: usize| match endpoint {
+        Endpoint::Object(o) => o == object,
+        Endpoint::Class(class) => spec.domain.is_a(spec.domain.objects[object].class, class),
+    };
+    effect.operation == event.operation
+        && at(effect.sender, event.sender)
+        && at(effect.receiver, event.receiver)
+}
+
+fn assign(
+    spec: &Spec,
+    event: &Event,
+    assignment: &crate::model::EffectAssignment,
+    values: &mut [Value],
+) -> Result<(), PlayError> {
+    let reads_state = Cell::new(false);
+    let scope = Scope {
+        domain: &spec.domain,
+        attributes: values,
+        roles: &[],
+        variables: &[],
+        event: (event.sender as Value, event.receiver as Value, &event.arguments),
+        reads_state: &reads_state,
+    };
+    let eval = |expr| scope.eval(expr).map_err(|failure| play_error(failure, assignment.span));
+    let owner = eval(&assignment.owner)?;
+    let value = eval(&assignment.value)?;
+    let Ok(owner) = usize::try_from(owner) else {
+        return Err(play_error(crate::model::Failure::Null(assignment.span), assignment.span));
+    };
+    if !spec.domain.fits(value, assignment.ty) {
+        let class = &spec.domain.classes[assignment.owner_class];
+        return Err(PlayError {
+            code: Code::PlayOutRange,
+            span: assignment.span,
+            message: format!(
+                "`{}.{}` would become `{value}`, which is not in `{}`",
+                spec.domain.objects[owner].name,
+                class.attributes[assignment.attribute].name,
+                spec.domain.show_type(assignment.ty)
+            ),
+        });
+    }
+    values[spec.domain.slot(owner, assignment.attribute)] = value;
+    Ok(())
+}

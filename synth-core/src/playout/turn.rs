@@ -1,0 +1,240 @@
+//! Which events can happen in a state, and whose turn it is (language reference, section 4).
+
+use super::events::EventId;
+use super::keys::KeyId;
+use super::{Config, PlayError, Playout, Step};
+use crate::game::Turn;
+use crate::model::{Kind, Modality};
+
+/// Where a move leads.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Goal<'m> {
+    /// To this state.
+    State(&'m Config),
+    /// The environment has violated a guarantee.
+    Lost,
+    /// Classic semantics: the system has violated an assumption.
+    Won,
+}
+
+/// One move: an event, or a yield.
+#[derive(Clone, Debug)]
+pub struct Move {
+    /// `None` is a yield.
+    pub event: Option<EventId>,
+    /// The state after it; where the game ends, what the violating step leads to.
+    pub config: Config,
+    /// The game ends with this move: [`Turn::Lost`] or [`Turn::Won`].
+    pub end: Option<Turn>,
+    /// Keys that it discharges, ascending.
+    pub discharged: Vec<KeyId>,
+}
+
+/// Whose turn it is in a state, and all moves in the order of the events' texts, a yield last.
+#[derive(Clone, Debug)]
+pub struct Moves {
+    /// Cases 1 to 6.
+    pub turn: Turn,
+    /// The environment may do nothing.
+    pub silent: bool,
+    /// The moves.
+    pub moves: Vec<Move>,
+}
+
+impl Default for Moves {
+    fn default() -> Self {
+        Moves { turn: Turn::EnvironmentAny, silent: true, moves: Vec::new() }
+    }
+}
+
+/// How urgently an event is asked for.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+enum Urgency {
+    Committed,
+    Urgent,
+    Eventually,
+}
+
+impl From<Modality> for Urgency {
+    fn from(modality: Modality) -> Self {
+        match modality {
+            Modality::Committed => Urgency::Committed,
+            Modality::Urgent | Modality::Requested => Urgency::Urgent,
+            Modality::Eventually => Urgency::Eventually,
+        }
+    }
+}
+
+/// What the active copies ask for.
+#[derive(Default)]
+struct Wishes {
+    system: Vec<(Urgency, EventId)>,
+    /// Messages of the system that cannot be formed.
+    broken: Vec<(Urgency, PlayError)>,
+    /// What assumptions say the environment sends; no urgency for monitored messages.
+    environment: Vec<(Option<Urgency>, EventId)>,
+}
+
+impl Playout<'_> {
+    /// Computes the moves of `config`.
+    ///
+    /// # Errors
+    /// An event that can really happen in this turn meets a mistake of the specification; its id is given unless
+    /// the event could not even be formed.
+    pub fn moves(&mut self, config: &Config, moves: &mut Moves) -> Result<(), (Option<EventId>, PlayError)> {
+        moves.moves.clear();
+        moves.silent = false;
+        let mut wishes = self.wishes(config);
+        for (urgency, by_system, by_environment) in [
+            (Urgency::Committed, Turn::SystemCommitted, Turn::EnvironmentCommitted),
+            (Urgency::Urgent, Turn::SystemUrgent, Turn::EnvironmentUrgent),
+        ] {
+            if self.system_moves(config, &mut wishes, urgency, moves)? {
+                moves.turn = by_system;
+                return Ok(());
+            }
+            let wanted: Vec<EventId> =
+                wishes.environment.iter().filter(|wish| wish.0 == Some(urgency)).map(|wish| wish.1).collect();
+            if self.environment_moves(config, wanted, moves)? {
+                moves.turn = by_environment;
+                return Ok(());
+            }
+        }
+        if !config.yielded && self.system_moves(config, &mut wishes, Urgency::Eventually, moves)? {
+            moves.turn = Turn::SystemEventually;
+            let config = Config { yielded: true, ..config.clone() };
+            moves.moves.push(Move { event: None, config, end: None, discharged: Vec::new() });
+            return Ok(());
+        }
+        let caused = wishes.environment.iter().map(|wish| wish.1);
+        let spontaneous = self.events.universe().filter(|&event| self.events.get(event).spontaneous);
+        let candidates = spontaneous.chain(caused).collect();
+        self.environment_moves(config, candidates, moves)?;
+        moves.turn = Turn::EnvironmentAny;
+        moves.silent = !self.semantics.classic || moves.moves.is_empty();
+        Ok(())
+    }
+
+    /// The environment's events that open assumptions ask for in `config`, ascending: what it *owes*.
+    pub fn owed(&mut self, config: &Config) -> Vec<EventId> {
+        let mut owed: Vec<EventId> = self.wishes(config).environment.into_iter().map(|wish| wish.1).collect();
+        owed.sort_unstable();
+        owed.dedup();
+        owed
+    }
+
+    fn wishes(&mut self, config: &Config) -> Wishes {
+        let mut wishes = Wishes::default();
+        let valuation = (config.valuation, self.valuations.get(config.valuation));
+        for &copy in &config.copies {
+            let offers = self.offers.of(self.spec, &mut self.events, &self.copies, copy, valuation);
+            let offers = self.offers.get(offers);
+            for (modality, wanted) in &offers.system {
+                match wanted {
+                    Ok(event) => wishes.system.push(((*modality).into(), *event)),
+                    Err(mistake) => wishes.broken.push(((*modality).into(), mistake.clone())),
+                }
+            }
+            let environment = offers.environment.iter();
+            wishes.environment.extend(environment.map(|&(m, event)| (m.map(Urgency::from), event)));
+        }
+        wishes
+    }
+
+    /// Adds the system's executable events of one urgency; whether there are any.
+    fn system_moves(
+        &mut self,
+        config: &Config,
+        wishes: &mut Wishes,
+        urgency: Urgency,
+        moves: &mut Moves,
+    ) -> Result<bool, (Option<EventId>, PlayError)> {
+        if let Some(broken) = wishes.broken.iter().position(|(u, _)| *u == urgency) {
+            return Err((None, wishes.broken.swap_remove(broken).1));
+        }
+        let mut wanted: Vec<EventId> =
+            wishes.system.iter().filter(|(u, _)| *u == urgency).map(|&(_, event)| event).collect();
+        self.sort_by_text(&mut wanted);
+        for event in wanted {
+            if !self.is_linked(config, event) {
+                continue;
+            }
+            let mut step = Step::default();
+            self.step(config, event, &mut step);
+            if step.violates(self.spec, Kind::Guarantee) {
+                continue;
+            }
+            let breaks_assumption = step.violates(self.spec, Kind::Assumption);
+            if breaks_assumption && !self.semantics.classic {
+                continue;
+            }
+            push(moves, event, step, breaks_assumption.then_some(Turn::Won))?;
+        }
+        Ok(!moves.moves.is_empty())
+    }
+
+    /// Adds the environment's executable events among `candidates`; whether there are any.
+    fn environment_moves(
+        &mut self,
+        config: &Config,
+        mut candidates: Vec<EventId>,
+        moves: &mut Moves,
+    ) -> Result<bool, (Option<EventId>, PlayError)> {
+        // Ids of the environment's events are in the order of their texts.
+        candidates.sort_unstable();
+        candidates.dedup();
+        for event in candidates {
+            if !self.is_linked(config, event) {
+                continue;
+            }
+            let mut step = Step::default();
+            self.step(config, event, &mut step);
+            if step.violates(self.spec, Kind::Assumption) {
+                continue;
+            }
+            let lost = step.violates(self.spec, Kind::Guarantee).then_some(Turn::Lost);
+            push(moves, event, step, lost)?;
+        }
+        Ok(!moves.moves.is_empty())
+    }
+
+    fn sort_by_text(&self, events: &mut Vec<EventId>) {
+        events.sort_by(|&a, &b| self.events.get(a).text.cmp(&self.events.get(b).text));
+        events.dedup();
+    }
+
+    /// Whether the sender knows the receiver, where a channel is required.
+    fn is_linked(&self, config: &Config, event: EventId) -> bool {
+        let event = self.events.get(event);
+        let values = self.valuations.get(config.valuation);
+        !event.needs_channel || event.channels.iter().any(|&slot| values[slot] == event.receiver as i64)
+    }
+}
+
+fn push(
+    moves: &mut Moves,
+    event: EventId,
+    step: Step,
+    end: Option<Turn>,
+) -> Result<(), (Option<EventId>, PlayError)> {
+    match step.error {
+        Some(mistake) => Err((Some(event), mistake)),
+        None => {
+            let (config, discharged) = (step.config, step.discharged);
+            moves.moves.push(Move { event: Some(event), config, end, discharged });
+            Ok(())
+        }
+    }
+}
+
+impl Move {
+    /// Where it leads.
+    #[must_use]
+    pub fn goal(&self) -> Goal<'_> {
+        match self.end {
+            None => Goal::State(&self.config),
+            Some(Turn::Won) => Goal::Won,
+            Some(_) => Goal::Lost,
+        }
+    }
+}

@@ -1,0 +1,272 @@
+//! The Structured Text back end, seen from outside: what stands in the text is what stood in the tables.
+
+mod fixture;
+mod reader;
+
+use fixture::{any_options, any_tables, event, lamp};
+use proptest::prelude::*;
+use reader::{Arrays, arrays, lint, tokens, without_comments};
+use synth_core::controller::tables::{Requirement, Tables};
+use synth_core::emit::st::{self, Integers, Options, Trigger, Unexpected, Unfit};
+
+fn written(tables: &Tables, options: &Options) -> String {
+    st::text(tables, options).expect("the fixture fits")
+}
+
+/// Every array of the text is one of the tables and holds its numbers, and none is missing.
+fn check_arrays(tables: &Tables, text: &str, names: &st::NameMap) {
+    let mut found: Arrays = arrays(text);
+    let mut take = |name: String, values: &[u32]| {
+        let (bound, read) = found.remove(&name).unwrap_or_else(|| panic!("no array {name}"));
+        assert_eq!(read, values, "{name}");
+        assert_eq!(bound + 1, values.len(), "upper bound of {name}");
+    };
+    for (table, (_, input)) in tables.events.iter().zip(&names.events) {
+        if !table.mapping.source.is_empty() {
+            take(format!("{input}_source"), &table.mapping.source);
+            take(format!("{input}_target"), &table.mapping.target);
+        }
+    }
+    if !tables.super_steps.source.is_empty() {
+        take("source".to_owned(), &tables.super_steps.source);
+        take("target".to_owned(), &tables.super_steps.target);
+        for component in &tables.components {
+            take(format!("{}Target", component.object), &component.codes);
+        }
+    }
+    assert!(found.is_empty(), "left over: {found:?}");
+}
+
+proptest! {
+    #[test]
+    fn arrays_hold_the_tables(tables in any_tables(), options in any_options()) {
+        match st::text(&tables, &options) {
+            Ok(text) => {
+                lint(&text);
+                check_arrays(&tables, &text, &st::names(&tables, &options));
+            }
+            Err(unfit) => prop_assert!(options.drain && matches!(unfit, Unfit::EndlessDrain { .. }), "{unfit}"),
+        }
+    }
+
+    #[test]
+    fn names_are_unique_identifiers(texts in prop::collection::btree_set("[a-c_]{1,2} -> [a-c]{1,2}\\.(x|END_IF|X)\\((-?[0-9]|a{70})?\\)", 0..20)) {
+        let mut tables = lamp();
+        tables.events = texts.iter().map(|text| fixture::table(text, &[], &[])).collect();
+        let names = st::names(&tables, &Options::default());
+        let inputs: std::collections::BTreeSet<_> = names.events.iter().map(|(_, input)| input.to_uppercase()).collect();
+        prop_assert_eq!(inputs.len(), texts.len());
+        for (_, input) in &names.events {
+            let characters = input.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+            let underscores = !input.contains("__") && !input.starts_with('_') && !input.ends_with('_');
+            prop_assert!(characters && underscores && input.len() <= 63, "{}", input);
+        }
+    }
+}
+
+#[test]
+fn deterministic() {
+    assert_eq!(written(&lamp(), &Options::default()), written(&lamp(), &Options::default()));
+}
+
+#[test]
+fn interface() {
+    let text = without_comments(&written(&lamp(), &Options::default()));
+    let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    for part in [
+        "TYPE Lamp_Events : ARRAY [0..1] OF BOOL; END_TYPE FUNCTION_BLOCK Lamp_Controller VAR_INPUT enable : BOOL := TRUE; \
+         reset : BOOL; button_control_press : BOOL; clock_control_tick_m1 : BOOL; END_VAR VAR_OUTPUT lamp_cmd : INT; \
+         state_no : UDINT := 0; pending : Lamp_Events; unexpected : BOOL; overrun : BOOL; END_VAR VAR CONSTANT",
+        "END_FUNCTION_BLOCK PROGRAM Lamp_Main VAR_INPUT enable : BOOL := TRUE; reset : BOOL; button_control_press : BOOL; \
+         clock_control_tick_m1 : BOOL; END_VAR VAR_OUTPUT lamp_cmd : INT; state_no : UDINT; pending : Lamp_Events; \
+         unexpected : BOOL; overrun : BOOL; END_VAR VAR controller : Lamp_Controller; END_VAR controller( enable := enable, \
+         reset := reset, button_control_press := button_control_press, clock_control_tick_m1 := clock_control_tick_m1); \
+         lamp_cmd := controller.lamp_cmd; state_no := controller.state_no; pending := controller.pending; \
+         unexpected := controller.unexpected; overrun := controller.overrun; END_PROGRAM CONFIGURATION Config0 \
+         RESOURCE Res0 ON PLC TASK Cyclic(INTERVAL := T#10ms, PRIORITY := 1); PROGRAM Main0 WITH Cyclic : Lamp_Main; \
+         END_RESOURCE END_CONFIGURATION",
+    ] {
+        assert!(flat.contains(part), "{part}\n---\n{flat}");
+    }
+}
+
+#[test]
+fn name_map() {
+    let names = st::names(&lamp(), &Options::default());
+    assert_eq!(
+        (names.target, &*names.function_block, &*names.program, &*names.state),
+        ("iec", "Lamp_Controller", "Lamp_Main", "state_no")
+    );
+    let text = |name: &str| name.to_owned();
+    assert_eq!(
+        names.events,
+        [
+            (text("button -> control.press()"), text("button_control_press")),
+            (text("clock -> control.tick(-1)"), text("clock_control_tick_m1")),
+        ]
+    );
+    assert_eq!(
+        names.components,
+        [st::ComponentNames {
+            object: text("lamp"),
+            output: text("lamp_cmd"),
+            codes: vec![(text("control -> lamp.off()"), 1), (text("control -> lamp.on()"), 2)],
+        }]
+    );
+}
+
+#[track_caller]
+fn check_inputs(texts: &[&str], inputs: &[&str]) {
+    let mut tables = lamp();
+    tables.events = texts.iter().map(|text| fixture::table(text, &[], &[])).collect();
+    let names = st::names(&tables, &Options::default());
+    assert_eq!(names.events.into_iter().map(|(_, input)| input).collect::<Vec<_>>(), inputs);
+}
+
+#[test]
+fn reserved_words_and_functions_give_way() {
+    check_inputs(&["date -> and.time()", "int -> to.real()"], &["date_and_time_2", "int_to_real_2"]);
+}
+
+#[test]
+fn clashes_without_case_are_numbered() {
+    check_inputs(&["A -> b.c()", "a -> B.c()", "a -> b.C()"], &["A_b_c", "a_B_c_2", "a_b_C_3"]);
+}
+
+#[test]
+fn interface_and_outputs_keep_their_names() {
+    let mut tables = lamp();
+    tables.events =
+        vec![fixture::table("state -> no", &[0], &[1]), fixture::table("lamp -> cmd", &[0], &[1])];
+    let names = st::names(&tables, &Options::default());
+    assert_eq!(names.events[0].1, "state_no_2");
+    assert_eq!((&*names.events[1].1, &*names.components[0].output), ("lamp_cmd", "lamp_cmd_2"));
+}
+
+#[test]
+fn internal_arrays_give_way_to_inputs() {
+    let mut tables = lamp();
+    tables.events =
+        vec![fixture::table("a -> b.c()", &[0], &[1]), fixture::table("a -> b.c(source)", &[0], &[1])];
+    let names = st::names(&tables, &Options::default());
+    assert_eq!(names.events[1].1, "a_b_c_source");
+    let found = arrays(&written(&tables, &Options::default()));
+    assert!(found.contains_key("a_b_c_source_2") && found.contains_key("a_b_c_source_source"), "{found:?}");
+}
+
+#[test]
+fn narrowest_types() {
+    let mut tables = lamp();
+    for (states, integers, element, conversion) in [
+        (255, Integers::Unsigned, "USINT", "USINT_TO_UDINT(state)"),
+        (256, Integers::Unsigned, "UINT", "UINT_TO_UDINT(state)"),
+        (65_536, Integers::Unsigned, "UDINT", "state_no := state;"),
+        (256, Integers::Signed, "INT", "INT_TO_DINT(state)"),
+        (32_768, Integers::Signed, "DINT", "state_no := state;"),
+    ] {
+        tables.states = states;
+        let text = written(&tables, &Options { integers, ..Options::default() });
+        assert!(
+            text.contains(&format!("button_control_press_source : ARRAY [0..1] OF {element} := [")),
+            "{text}"
+        );
+        assert!(text.contains(&format!("state : {element} := 0;")), "{text}");
+        assert!(text.contains(conversion), "{text}");
+    }
+}
+
+#[test]
+fn signed_text_has_no_unsigned_types() {
+    let text = written(&lamp(), &Options { integers: Integers::Signed, ..Options::default() });
+    assert!(tokens(&text).iter().all(|token| !token.starts_with("U") || token == "UNTIL"));
+}
+
+#[test]
+fn comments_hold_any_text() {
+    let mut tables = lamp();
+    tables.provenance.requirements = vec![Requirement {
+        scenario: "Light.On".to_owned(),
+        kind: "guarantee",
+        text: vec!["a *) b (* c (*) http://x ".repeat(20), "x".repeat(300)],
+        line: 7,
+    }];
+    let text = written(&tables, &Options::default());
+    lint(&text);
+    assert!(text.contains("guarantee Light.On, line 7"));
+}
+
+#[test]
+fn nothing_at_all() {
+    let mut tables = lamp();
+    tables.events.clear();
+    tables.components.clear();
+    tables.super_steps = Default::default();
+    for drain in [false, true] {
+        let text = written(&tables, &Options { drain, ..Options::default() });
+        lint(&text);
+        assert!(text.contains("Lamp_Events : ARRAY [0..0] OF BOOL;"));
+        assert!(!text.contains("VAR CONSTANT") && !text.contains("REPEAT") && !text.contains("FOR "));
+    }
+}
+
+#[test]
+fn events_without_rows_are_not_searched() {
+    let mut tables = lamp();
+    tables.events[0].mapping = Default::default();
+    let text = written(&tables, &Options::default());
+    lint(&text);
+    check_arrays(&tables, &text, &st::names(&tables, &Options::default()));
+    assert!(text.contains("pending[0] := TRUE;") && !text.contains("IF pending[0] THEN"));
+}
+
+#[test]
+fn trigger() {
+    let edge = written(&lamp(), &Options::default());
+    assert!(edge.contains("IF button_control_press AND NOT previous[0] THEN"));
+    assert!(edge.contains("previous[0] := button_control_press;"));
+    let level = written(&lamp(), &Options { trigger: Trigger::Level, ..Options::default() });
+    assert!(level.contains("IF button_control_press THEN") && !level.contains("previous"));
+}
+
+#[test]
+fn inputs_are_never_written() {
+    let text =
+        written(&lamp(), &Options { drain: true, unexpected: Unexpected::Fault, ..Options::default() });
+    let block = &text[text.find("FUNCTION_BLOCK").unwrap()..text.find("END_FUNCTION_BLOCK").unwrap()];
+    let body = &block[block.rfind("END_VAR").unwrap()..];
+    for input in ["enable", "reset", "button_control_press", "clock_control_tick_m1"] {
+        assert!(!body.contains(&format!("{input} :=")), "{input}");
+    }
+}
+
+#[track_caller]
+fn check_unfit(tables: &Tables, options: Options, unfit: Unfit) {
+    assert_eq!(st::text(tables, &options), Err(unfit));
+}
+
+#[test]
+fn too_many_commands() {
+    let mut tables = lamp();
+    tables.components[0].commands = vec![event("control -> lamp.on()"); 32_768];
+    let object = "lamp".to_owned();
+    check_unfit(&tables, Options::default(), Unfit::TooManyCommands { object, commands: 32_768 });
+}
+
+#[test]
+fn too_many_states_for_signed() {
+    let mut tables = lamp();
+    tables.states = 1 << 31;
+    let signed = Options { integers: Integers::Signed, ..Options::default() };
+    check_unfit(&tables, signed, Unfit::TooLarge { states: 1 << 31 });
+}
+
+#[test]
+fn silent_super_steps_in_a_circle_cannot_be_drained() {
+    let mut tables = lamp();
+    tables.super_steps.target = vec![3, 1];
+    let drain = Options { drain: true, ..Options::default() };
+    assert!(st::text(&tables, &drain).is_ok(), "one of them commands");
+    tables.components[0].codes = vec![0, 0];
+    assert!(st::text(&tables, &Options::default()).is_ok());
+    check_unfit(&tables, drain, Unfit::EndlessDrain { state: 1 });
+}

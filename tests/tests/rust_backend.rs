@@ -1,0 +1,223 @@
+//! Generated modules compiled as in a user's crate: free of warnings, and the same as the contract, step for step.
+
+use std::fmt::Write as _;
+
+use sml_tests::reference::Reference;
+use sml_tests::scratch::Scratch;
+use sml_tests::tables::{self, Random, Size};
+use synth_core::controller::tables::Tables;
+use synth_core::emit::rust::{Options, module, text};
+
+/// A module, the tables it is of, and the fields of its `Commands`.
+struct Case {
+    module: String,
+    tables: Tables,
+    fields: Vec<String>,
+}
+
+impl Case {
+    fn new(module: &str, tables: Tables, fields: &[&str]) -> Self {
+        let fields = fields.iter().map(|&field| field.to_owned()).collect();
+        Case { module: module.to_owned(), tables, fields }
+    }
+
+    fn random(module: &str, size: Size, seed: u64) -> Self {
+        let tables = tables::random(module, size, seed);
+        let fields = tables.components.iter().map(|component| component.object.clone()).collect();
+        Case { module: module.to_owned(), tables, fields }
+    }
+}
+
+fn cases() -> Vec<Case> {
+    let size = |states, events, rows, components| Size { states, events, rows, components };
+    vec![
+        Case::new("small_cell", tables::cell(), &["arm", "press"]),
+        Case::new("empty", tables::empty(), &[]),
+        Case::new("inner", tables::inner(), &[]),
+        Case::random("dense", size(12, 6, 40, 3), 1),
+        Case::random("sparse", size(40, 5, 15, 2), 2),
+        Case::random("alone", size(9, 4, 50, 0), 3),
+        Case::random("wide", size(30, 70, 10, 4), 4),
+        Case::random("bytes", size(256, 3, 30, 1), 5),
+        Case::random("words", size(257, 3, 30, 1), 6),
+        Case::random("many_events", size(20, 300, 5, 1), 7),
+        Case::random("packed", size(6000, 8, 40, 2), 8),
+        Case::random("packed_words", size(70_000, 2, 20, 1), 9),
+    ]
+}
+
+/// Modules that are compiled only.
+fn compiled_only() -> Vec<(String, Options)> {
+    let mut ordered = tables::cell();
+    ordered.specification = "Ordered".to_owned();
+    let default = Options::default();
+    vec![
+        (text(&tables::names(), &default), default),
+        (text(&ordered, &Options { ordered: true }), Options { ordered: true }),
+    ]
+}
+
+/// What to do with a controller: several events raised at once, then one step, now and then a reaction or a reset.
+fn script(tables: &Tables, seed: u64, random: &mut Random) -> Vec<(&'static str, Option<usize>)> {
+    let events = tables.events.len() as u32;
+    let mut script = vec![("texts", None)];
+    for round in 0..60 + seed % 2 {
+        if events > 0 {
+            for _ in 0..random.below(4) {
+                script.push(("raise", Some(random.below(events) as usize)));
+            }
+            for _ in 0..random.below(3) {
+                script.push(("react", Some(random.below(events) as usize)));
+            }
+        }
+        script.push((if random.below(3) == 0 { "drain" } else { "cycle" }, None));
+        // Pending events that fit nowhere keep `react` refused.
+        if round % 8 == 7 {
+            script.push(("reset", None));
+            if events > 0 {
+                script.extend((0..6).map(|_| ("react", Some(random.below(events) as usize))));
+            }
+        }
+    }
+    script
+}
+
+/// What the driver is to print for one action.
+fn expected<'a>(
+    reference: &mut Reference<'a>,
+    tables: &'a Tables,
+    action: &str,
+    event: Option<usize>,
+) -> String {
+    reference.log.clear();
+    let result = match (action, event) {
+        ("texts", None) => format!("{:?}", tables.events.iter().map(|e| &e.event.text).collect::<Vec<_>>()),
+        ("raise", Some(event)) => reference.raise(event).to_string(),
+        ("cycle", None) => format!("{:?}", reference.cycle()),
+        ("drain", None) => format!("{:?}", reference.drain()),
+        ("react", Some(event)) => format!("{:?}", reference.react(event)),
+        _ => {
+            *reference = Reference::new(tables);
+            String::new()
+        }
+    };
+    let pending: Vec<usize> = reference.pending.iter().copied().collect();
+    let accepted: Vec<usize> = (0..tables.events.len()).filter(|&e| reference.accepts(e).is_some()).collect();
+    let owed = &tables.owed[reference.state as usize];
+    format!("{result} {:?} {} {pending:?} {accepted:?} {owed:?}", reference.log, reference.state)
+}
+
+fn write_crate(cases: &[Case]) -> std::io::Result<Scratch> {
+    let scratch = Scratch::new(env!("CARGO_TARGET_TMPDIR"), "rust-backend", &["names"], "")?;
+    let mut library = String::from(
+        "//! Generated modules.\n#![no_std]\n#![forbid(unsafe_code)]\n\
+         #![warn(clippy::all, clippy::pedantic, clippy::nursery)]\n\
+         #![warn(missing_docs, missing_debug_implementations, unreachable_pub, unused, rust_2018_idioms)]\n\n",
+    );
+    let mut private = library.replace("#![no_std]\n", "");
+    let mut driver = String::from(include_str!("rust_backend/drive.rs"));
+    let mut insert = String::new();
+    for (i, Case { module, tables, fields }) in cases.iter().enumerate() {
+        scratch.write(&format!("src/{module}.rs"), &text(tables, &Options::default()))?;
+        let _ = writeln!(library, "include!(\"{module}.rs\");");
+        let _ = writeln!(private, "mod m{i} {{\n    include!(\"../{module}.rs\");\n}}");
+        let fields = fields.join(", ");
+        let _ = write!(
+            driver,
+            "\nmod m{i} {{\n    use super::*;\n    use rust_backend::{module};\n    drive!({module}, {fields});\n}}\n"
+        );
+        let _ = writeln!(
+            insert,
+            "    controllers.insert({module:?}, Box::new(rust_backend::{module}::Controller::new()));"
+        );
+    }
+    for (i, (text, _)) in compiled_only().iter().enumerate() {
+        scratch.write(&format!("src/compiled_{i}.rs"), text)?;
+        let _ = writeln!(library, "include!(\"compiled_{i}.rs\");");
+        let _ = writeln!(private, "mod c{i} {{\n    include!(\"../compiled_{i}.rs\");\n}}");
+    }
+    private.push_str("\nfn main() {}\n");
+    let _ =
+        write!(driver, "\nfn insert_all(controllers: &mut BTreeMap<&str, Box<dyn Drive>>) {{\n{insert}}}\n");
+    scratch.write("src/lib.rs", &library)?;
+    scratch.write("src/bin/private.rs", &private)?;
+    scratch.write("src/bin/drive.rs", &driver)?;
+    Ok(scratch)
+}
+
+#[test]
+fn modules_have_no_warnings_and_step_as_the_contract_says() {
+    let cases = cases();
+    let scratch = write_crate(&cases).expect("the crate is written");
+
+    let lints =
+        ["clippy", "--quiet", "--lib", "--bin", "private", "--config", "build.rustflags=['-Dwarnings']"];
+    let clippy = scratch.cargo(&lints, "").expect("cargo runs");
+    assert!(clippy.status.success(), "{}", String::from_utf8_lossy(&clippy.stderr));
+
+    let mut input = String::new();
+    let mut lines = Vec::new();
+    for (seed, case) in cases.iter().enumerate() {
+        let mut reference = Reference::new(&case.tables);
+        for (action, event) in script(&case.tables, seed as u64, &mut Random::new(seed as u64)) {
+            let event_word = event.map(|event| format!(" {event}")).unwrap_or_default();
+            let line = format!("{} {action}{event_word}", case.module);
+            let _ = writeln!(input, "{line}");
+            lines.push((line, expected(&mut reference, &case.tables, action, event)));
+        }
+    }
+    let run = scratch.cargo(&["run", "--quiet", "--bin", "drive"], &input).expect("cargo runs");
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    let printed = String::from_utf8(run.stdout).expect("text");
+    assert_eq!(printed.lines().count(), lines.len());
+    for (number, (printed, (line, expected))) in printed.lines().zip(&lines).enumerate() {
+        assert_eq!(printed, expected, "at `{line}`, line {number}");
+    }
+}
+
+#[test]
+fn text_is_the_module_and_its_origin() {
+    let cell = tables::cell();
+    let text = text(&cell, &Options::default());
+    for part in [
+        "// Generated by `sml` ",
+        " from `specs/smallcell.sml` (input 00000000000000ff, table format 1).\n",
+        "/// - `Cell.Deliver` (guarantee, line 12): Every \\<blank\\> \\[1\\] is \\*pressed\\*, see \
+         http://example.org/blank\\_press.\n",
+        "/// ```mermaid\n",
+        "///     4 --> 5 : / ctl -> arm.moveTo(-1), ctl -> press.press()\n",
+        "pub mod small_cell {\n",
+        "    /// `belt -> ctl.blankArrived()`\n        BeltCtlBlankArrived,\n",
+        "ArmCtlArrivedM1,\n",
+        "fn move_to_m1(&mut self);\n",
+        "static ARM_TARGET: [u8; 3] = [1, 2, 3];\n",
+        "    ::controller_template::names! {\n        impl Event {\n",
+    ] {
+        assert!(text.contains(part), "no {part:?} in\n{text}");
+    }
+    assert!(!text.contains("ARM_CTL_ARRIVED_1"), "a table without rows");
+    assert_eq!(text, synth_core::emit::rust::text(&cell, &Options::default()));
+    let tokens = module(&cell, &Options::default()).to_string();
+    assert!(tokens.contains(":: controller_template :: names ! {"), "{tokens}");
+}
+
+#[test]
+fn one_event_at_a_time_needs_no_pending_events() {
+    let text = text(&tables::cell(), &Options { ordered: true });
+    assert!(text.contains("pub fn react(") && text.contains("pub fn cycle("));
+    assert!(!text.contains("fn raise(") && !text.contains("fn drain(") && !text.contains("fn pending("));
+}
+
+#[test]
+fn small_tables_are_arrays_and_large_ones_bytes() {
+    let size = Size { states: 300, events: 2, rows: 50, components: 1 };
+    let small = text(&tables::random("small", size, 1), &Options::default());
+    assert!(small.contains("Mapping<[u16; ") && !small.contains("Packed"), "{small}");
+    let large = text(&tables::random("large", Size { states: 30_000, ..size }, 1), &Options::default());
+    assert!(large.contains("Packed<u16, ") && !large.contains("; 1]"), "arrays beside byte strings");
+    for text in [small, large] {
+        let long =
+            text.lines().filter(|line| line.len() > 110 && !line.trim_start().starts_with("///")).count();
+        assert_eq!(long, 0, "{text}");
+    }
+}
