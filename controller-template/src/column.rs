@@ -123,7 +123,7 @@ fn search<T: Number>(length: usize, number: T, get: impl Fn(usize) -> Option<T>)
     while rest > 1 {
         let half = rest / 2;
         let middle = base + half;
-        base = if get(middle).is_some_and(|probe| probe <= number) { middle } else { base };
+        base = if get(middle)? <= number { middle } else { base };
         rest -= half;
     }
     get(base).filter(|&found| found == number).map(|_| base)
