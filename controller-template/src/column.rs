@@ -59,7 +59,10 @@ impl<T: Number, const N: usize> Column for [T; N] {
     }
 
     /// The length is known, so the search is unrolled: three instructions a probe, and no bounds left to check.
-    #[inline]
+    ///
+    /// It stays a function: inlined into a loop of the caller, x86 back ends make branches of its conditional moves,
+    /// which costs five times as long from a few thousand rows on, and tables of one length can share it.
+    #[inline(never)]
     fn position(&self, number: T) -> Option<usize> {
         search(N, number, |index| Column::get(self, index))
     }
