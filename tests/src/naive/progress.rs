@@ -1,12 +1,12 @@
 //! How an active copy reacts to an event, and which new copies the event starts (section 3, steps 2 and 3).
 
-use super::cut::{BodyPath, Cut, Inside, extend, is_obligation, is_strict, messages};
+use super::cut::{BodyPath, Cut, FragmentPath, Inside, extend, is_obligation, is_strict, messages};
 use super::eval::{EvalError, names_in};
 use super::matching::Context;
 use super::spec::Spec;
 use super::state::{Attributes, Copy, Key, Roles, State, Variables};
 use super::value::Event;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use synth_core::syntax::ast::{
     ArgumentKind, Body, ConstraintKind, Expr, Fragment, FragmentKind, Message, ScenarioKind,
 };
@@ -20,8 +20,8 @@ pub enum Reaction {
     Moves {
         /// Where it stands then, not settled.
         copy: Copy,
-        /// The obligation that is met.
-        discharged: Option<Key>,
+        /// The message.
+        message: FragmentPath,
     },
     /// It is gone.
     Ends,
@@ -47,10 +47,9 @@ impl Spec {
         for (path, fragment) in &at_cut {
             let FragmentKind::Message(_, message) = &fragment.kind else { continue };
             if let Some((roles, variables)) = context.matches(&path[..path.len() - 1], message, event)? {
-                let discharged = is_obligation(fragment).then(|| self.key(copy, path, fragment));
                 let mut copy = Copy { roles, variables, ..copy.clone() };
                 copy.cut.pass_fragment(path);
-                return Ok(Reaction::Moves { copy, discharged });
+                return Ok(Reaction::Moves { copy, message: path.clone() });
             }
         }
 
@@ -118,18 +117,18 @@ impl Spec {
         }
     }
 
+    /// The obligations of a copy: fragments at its cut, with their keys.
+    #[must_use]
+    pub fn obligations(&self, copy: &Copy) -> BTreeMap<FragmentPath, Key> {
+        let at_cut = copy.cut.fragments(&self.scenarios[copy.scenario].body).into_iter();
+        let obligations = at_cut.filter(|(_, fragment)| is_obligation(fragment));
+        obligations.map(|(path, fragment)| (path.clone(), self.key(copy, &path, fragment))).collect()
+    }
+
     /// The keys that are open in a state, all kinds of scenarios together.
     #[must_use]
     pub fn open(&self, state: &State) -> BTreeSet<Key> {
-        let mut open = BTreeSet::new();
-        for copy in &state.copies {
-            for (path, fragment) in copy.cut.fragments(&self.scenarios[copy.scenario].body) {
-                if is_obligation(fragment) {
-                    open.insert(self.key(copy, &path, fragment));
-                }
-            }
-        }
-        open
+        state.copies.iter().flat_map(|copy| self.obligations(copy).into_values()).collect()
     }
 
     /// The copies that an event starts, not settled: `before` are the attributes before its effects, `after` those after.

@@ -1,11 +1,11 @@
 //! Settling (section 3, step 4): a copy makes silent moves, one at a time, the textually first one first, until
 //! there is none.
 
-use super::cut::{Cut, Inside, extend, is_obligation, nested};
+use super::cut::{Cut, FragmentPath, Inside, extend, nested};
 use super::eval::EvalError;
 use super::matching::Context;
 use super::spec::Spec;
-use super::state::{Attributes, Copy, Key, Variables};
+use super::state::{Attributes, Copy, Variables};
 use std::collections::{BTreeMap, BTreeSet};
 use synth_core::syntax::ast::{Body, FragmentKind};
 
@@ -51,7 +51,7 @@ enum Move {
 }
 
 impl Spec {
-    /// Settles a copy; keys of the obligations that it meets on the way are added to `discharged`.
+    /// Settles a copy; the paths of the waits that it passes are added to `passed_waits`.
     ///
     /// # Errors
     /// See [`SettleError`].
@@ -59,7 +59,7 @@ impl Spec {
         &self,
         attributes: &Attributes,
         mut copy: Copy,
-        discharged: &mut BTreeSet<Key>,
+        passed_waits: &mut BTreeSet<FragmentPath>,
     ) -> Result<Settled, SettleError> {
         let body = &self.scenarios[copy.scenario].body;
         let mut seen = BTreeSet::new();
@@ -68,7 +68,7 @@ impl Spec {
                 return Err(SettleError::Loop);
             }
             let mut cut = copy.cut.clone();
-            let made = self.silent_move(attributes, &mut copy, body, &[], &mut cut, discharged)?;
+            let made = self.silent_move(attributes, &mut copy, body, &[], &mut cut, passed_waits)?;
             copy.cut = cut;
             match made {
                 Move::None if copy.cut.at_end(body) => return Ok(Settled::Ended),
@@ -88,7 +88,7 @@ impl Spec {
         body: &Body,
         path: &[usize],
         cut: &mut Cut,
-        discharged: &mut BTreeSet<Key>,
+        passed_waits: &mut BTreeSet<FragmentPath>,
     ) -> Result<Move, EvalError> {
         let Some(fragment) = body.fragments.get(cut.next) else { return Ok(Move::None) };
         let here = extend(path, &[cut.next]);
@@ -100,9 +100,7 @@ impl Spec {
                 if !scope.condition(condition)? {
                     return Ok(Move::None);
                 }
-                if is_obligation(fragment) {
-                    discharged.insert(self.key(copy, &here, fragment));
-                }
+                passed_waits.insert(here);
                 Ok(passed(cut))
             }
             FragmentKind::Interrupt(condition) if scope.condition(condition)? => Ok(Move::Ended),
@@ -134,7 +132,7 @@ impl Spec {
                 let inner_move = |index: usize, cut: &mut Cut| -> Result<Inner, EvalError> {
                     let Some(inner) = nested(fragment, index) else { return Ok(Inner::Finished) };
                     let inner_path = extend(&here, &[index]);
-                    let made = self.silent_move(attributes, copy, inner, &inner_path, cut, discharged)?;
+                    let made = self.silent_move(attributes, copy, inner, &inner_path, cut, passed_waits)?;
                     if !cut.at_end(inner) {
                         return Ok(Inner::Open(made));
                     }
