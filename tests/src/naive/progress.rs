@@ -1,6 +1,6 @@
 //! How an active copy reacts to an event, and which new copies the event starts (section 3, steps 2 and 3).
 
-use super::cut::{BodyPath, Cut, FragmentPath, Inside, extend, is_obligation, is_strict, messages};
+use super::cut::{Cut, FragmentPath, Inside, extend, is_obligation, is_strict, messages};
 use super::eval::{EvalError, names_in};
 use super::matching::Context;
 use super::spec::Spec;
@@ -33,7 +33,7 @@ impl Spec {
     /// The reaction of a copy: the first row of the table that applies.
     ///
     /// # Errors
-    /// A path through `null` in an argument of a message at the cut or of a constraint in force.
+    /// A path through `null` in an argument of a message at the cut, or an integer that a variable does not take.
     pub fn progress(
         &self,
         attributes: &Attributes,
@@ -56,7 +56,7 @@ impl Spec {
         let constraints = copy.cut.constraints(body);
         let in_force = |kind| -> Result<bool, EvalError> {
             for (path, constraint) in constraints.iter().filter(|(_, constraint)| constraint.kind == kind) {
-                if context.matches(path, &constraint.message, event)?.is_some() {
+                if context.is_like(path, &constraint.message, event)? {
                     return Ok(true);
                 }
             }
@@ -72,15 +72,9 @@ impl Spec {
             return Ok(Reaction::Ends);
         }
 
-        let is_other_message =
-            |(path, message): &(BodyPath, &Message)| match context.matches(path, message, event) {
-                Ok(matched) => Ok(matched.is_some()),
-                Err(EvalError::Null(_)) => Ok(false),
-                Err(error) => Err(error),
-            };
         let mut concerned = in_force(ConstraintKind::Consider)?;
-        for message in &messages(body, false) {
-            concerned = concerned || is_other_message(message)?;
+        for (path, message) in &messages(body, false) {
+            concerned = concerned || context.is_like(path, message, event)?;
         }
         Ok(match (concerned, at_cut.iter().any(|(_, fragment)| is_strict(fragment))) {
             (false, _) => Reaction::Stays,
@@ -203,7 +197,7 @@ impl Spec {
         Ok(())
     }
 
-    /// Evaluates the `bindings` of a new copy; one that gives `null` leaves none.
+    /// Evaluates the `bindings` of a new copy; one that gives `null`, or contradicts the initial message, leaves none.
     ///
     /// # Errors
     /// A path through `null`.
@@ -211,7 +205,10 @@ impl Spec {
         for (role, expr) in &self.scenarios[copy.scenario].bindings {
             match Context::of(self, attributes, &copy).scope(&[]).value(expr)? {
                 super::Value::Object(object) => {
-                    copy.roles.insert(role.clone(), object);
+                    let bound = copy.roles.entry(role.clone()).or_insert_with(|| object.clone());
+                    if *bound != object {
+                        return Ok(None);
+                    }
                 }
                 super::Value::Null => return Ok(None),
                 other => return Err(EvalError::Malformed(format!("`{role}` bound to `{other}`"))),

@@ -263,10 +263,10 @@ impl Writer<'_> {
         let cases: Vec<String> = (0..count)
             .map(|_| {
                 let guard = self.guard(known, 40);
-                let body = if self.random.chance(80) {
-                    self.inner(known, Self::own_message)
-                } else {
-                    self.inner(known, Self::fragment)
+                let body = match self.random.below(20) {
+                    0 => "{ }".to_string(),
+                    1..=4 => self.inner(known, Self::fragment),
+                    _ => self.inner(known, Self::own_message),
                 };
                 format!("{guard}{body}")
             })
