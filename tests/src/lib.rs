@@ -3,6 +3,7 @@
 
 pub mod agreement;
 pub mod corpus;
+pub mod fast;
 pub mod naive;
 pub mod random;
 pub mod reference;
