@@ -1,7 +1,6 @@
 //! What tests share: a naive reference implementation of the language, random specifications, and a reference
 //! interpreter of tables.
 
-pub mod agreement;
 pub mod corpus;
 pub mod fast;
 pub mod naive;
