@@ -43,6 +43,15 @@ pub enum Failure {
     Inconsistent(String),
 }
 
+impl From<ExploreError> for Failure {
+    fn from(error: ExploreError) -> Self {
+        match error {
+            ExploreError::Play(mistake, play) => Failure::Wrong(vec![mistake.diagnostic(&play)]),
+            ExploreError::Limit(limit) => Failure::Limit(limit),
+        }
+    }
+}
+
 /// What is known of a specification that no controller can meet.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Unrealizable {
@@ -142,10 +151,7 @@ pub fn play_and_solve<'s>(
     timings: &mut Timings,
 ) -> Result<Solved<'s>, Failure> {
     let explored = timings.stage("explore", || explore(spec, options.semantics, &options.limits));
-    let explored = explored.map_err(|error| match error {
-        ExploreError::Play(mistake, play) => Failure::Wrong(vec![mistake.diagnostic(&play)]),
-        ExploreError::Limit(limit) => Failure::Limit(limit),
-    })?;
+    let explored = explored?;
     let solution = timings.stage("solve", || solve(&explored.game));
     Ok(Solved { explored, solution })
 }

@@ -59,6 +59,23 @@ pub fn merge(
     }
 }
 
+/// The events, commands and components of `game` in a controller that accepts and does nothing: what names are made
+/// of, whoever wins.
+#[must_use]
+pub fn interface(game: &Game, alphabet: &Alphabet) -> Controller {
+    let Vocabulary { events, commands, components, .. } = Vocabulary::new(game, alphabet);
+    Controller {
+        states: 1,
+        initial: 0,
+        environment: vec![Vec::new(); events.len()],
+        super_steps: Vec::new(),
+        owed: vec![Vec::new()],
+        events,
+        commands,
+        components,
+    }
+}
+
 const NONE: u32 = u32::MAX;
 
 /// The events on the edges of a game, in table order.

@@ -20,6 +20,8 @@ mod step;
 mod turn;
 
 pub use attributes::ValuationId;
+#[cfg(feature = "json")]
+pub(crate) use copies::variables_read;
 pub use copies::{Copy, CopyId};
 pub use events::{Event, EventId};
 pub use keys::{Key, KeyId};
