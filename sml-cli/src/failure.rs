@@ -88,6 +88,11 @@ impl Failure {
         Failure { exit, diagnostics, sources: loaded.sources.clone() }
     }
 
+    /// What is wrong with the specification, if that is what it is about.
+    pub(crate) fn wrong(self) -> Result<Vec<Diagnostic>, Failure> {
+        if self.exit == Exit::Wrong { Ok(self.diagnostics) } else { Err(self) }
+    }
+
     /// Shows it: JSON on stdout, or text on stderr. A product that went to stdout is none for whoever gets this.
     pub(crate) fn report(&self, format: Format, color: bool) -> Exit {
         match format {

@@ -7,6 +7,7 @@ use std::io::IsTerminal;
 use std::path::Path;
 use std::time::Duration;
 use synth_core::controller::{Controller, Level};
+use synth_core::existential::{Existential, existential};
 use synth_core::explore::{Explored, explore};
 use synth_core::model::Spec;
 use synth_core::pipeline::{self, Options, Solved, Timings, Verified};
@@ -112,6 +113,19 @@ impl Session {
     ) -> Result<usize, pipeline::Failure> {
         let options = self.options(Level::default());
         self.timings.stage("verify", || pipeline::check(spec, controller, &options))
+    }
+
+    /// What becomes of the existential scenarios.
+    pub(crate) fn existential(
+        &mut self,
+        loaded: &Loaded,
+        spec: &Spec,
+        solved: &Solved<'_>,
+        controller: Option<&Controller>,
+    ) -> Result<Vec<Existential>, Failure> {
+        let options = self.options(Level::default());
+        let found = self.timings.stage("existential", || existential(spec, &options, solved, controller));
+        found.map_err(|failure| Failure::of(failure, loaded))
     }
 
     /// Runs a stage that is no part of the pipeline.

@@ -8,6 +8,8 @@
 pub mod controller;
 pub mod diagnostic;
 pub mod emit;
+pub mod existential;
+pub mod explain;
 pub mod explore;
 pub mod game;
 pub mod model;

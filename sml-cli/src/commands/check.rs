@@ -7,8 +7,11 @@ use crate::session::Session;
 use serde::Serialize;
 use serde_json::Value as Json;
 use std::path::PathBuf;
+use synth_core::controller::Level;
 use synth_core::diagnostic::{Diagnostic, Severity, render, to_json};
-use synth_core::model::Spec;
+use synth_core::existential::Existential;
+use synth_core::explain::{Explanation, explain};
+use synth_core::model::{Kind, Spec};
 use synth_core::pipeline::{Figures, Solved};
 use synth_core::syntax::Loaded;
 
@@ -35,28 +38,26 @@ struct Document<'a> {
     winning_states: usize,
     assumption_sets: usize,
     guarantee_sets: usize,
-    existential: &'a [Existential],
+    existential: Vec<Scenario<'a>>,
     diagnostics: Json,
     #[serde(skip_serializing_if = "Option::is_none")]
-    explanation: Option<&'a Explanation>,
+    explanation: Option<Because<'a>>,
 }
 
-/// What becomes of an existential scenario.
 #[derive(Serialize)]
-struct Existential {
-    scenario: String,
+struct Scenario<'a> {
+    scenario: &'a str,
     reachable: bool,
     possible: bool,
-    witness: Vec<String>,
+    witness: &'a [String],
 }
 
-/// Why no controller can meet the specification.
 #[derive(Serialize)]
-struct Explanation {
-    cause: &'static str,
-    scenarios: Vec<String>,
-    play: Vec<String>,
-    r#loop: Vec<String>,
+struct Because<'a> {
+    cause: &'a str,
+    scenarios: &'a [String],
+    play: &'a [String],
+    r#loop: &'a [String],
 }
 
 /// All that there is to say.
@@ -71,7 +72,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let loaded = session.load(&arguments.file)?;
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;
-    let report = examine(&spec, &mut solved);
+    let report = examine(&loaded, &spec, &mut solved, session)?;
     output::print(&match session.format() {
         Format::Json => json(&report, &loaded),
         Format::Text => text(&report, &spec, &loaded, session.color(&std::io::stdout())),
@@ -81,9 +82,31 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     Ok(if report.figures.realizable && !denied { Exit::Done } else { Exit::No })
 }
 
-fn examine(spec: &Spec, solved: &mut Solved<'_>) -> Report {
-    let _ = spec;
-    Report { figures: solved.figures(), existential: Vec::new(), diagnostics: Vec::new(), explanation: None }
+fn examine(
+    loaded: &Loaded,
+    spec: &Spec,
+    solved: &mut Solved<'_>,
+    session: &mut Session,
+) -> Result<Report, Failure> {
+    let explanation = session.stage("explain", || explain(solved));
+    let mut diagnostics: Vec<Diagnostic> = explanation.iter().map(Explanation::diagnostic).collect();
+    let existential = if spec.scenarios.iter().any(|scenario| scenario.kind == Kind::Existential) {
+        let controller = if explanation.is_none() {
+            match session.synthesize(loaded, solved, Level::default()) {
+                Ok(verified) => Some(verified.controller),
+                Err(failure) => {
+                    diagnostics.extend(failure.wrong()?);
+                    None
+                }
+            }
+        } else {
+            None
+        };
+        session.existential(loaded, spec, solved, controller.as_ref())?
+    } else {
+        Vec::new()
+    };
+    Ok(Report { figures: solved.figures(), existential, diagnostics, explanation })
 }
 
 fn json(report: &Report, loaded: &Loaded) -> String {
@@ -100,15 +123,26 @@ fn json(report: &Report, loaded: &Loaded) -> String {
         winning_states: figures.winning_states,
         assumption_sets: figures.assumption_sets,
         guarantee_sets: figures.guarantee_sets,
-        existential,
+        existential: existential.iter().map(scenario).collect(),
         diagnostics: to_json(diagnostics, &loaded.sources),
-        explanation: explanation.as_ref(),
+        explanation: explanation.as_ref().map(because),
     };
     format!("{}\n", serde_json::to_string(&document).expect("strings and numbers always serialize"))
 }
 
+fn scenario(existential: &Existential) -> Scenario<'_> {
+    let Existential { scenario, reachable, possible, witness } = existential;
+    Scenario { scenario, reachable: *reachable, possible: *possible, witness }
+}
+
+fn because(explanation: &Explanation) -> Because<'_> {
+    let Explanation { cause, scenarios, play, cycle, .. } = explanation;
+    Because { cause: cause.as_str(), scenarios, play, r#loop: cycle }
+}
+
+/// The diagnostics hold the explanation, too.
 fn text(report: &Report, spec: &Spec, loaded: &Loaded, color: bool) -> String {
-    let Report { figures, existential, diagnostics, explanation } = report;
+    let Report { figures, existential, diagnostics, .. } = report;
     let mut text = render(diagnostics, &loaded.sources, color);
     text.push_str(&format!(
         "{}: {}\n",
@@ -135,17 +169,9 @@ fn text(report: &Report, spec: &Spec, loaded: &Loaded, color: bool) -> String {
             (false, false) => "can happen in no winning play",
         };
         text.push_str(&format!("`{scenario}` {verdict}\n"));
-        text.push_str(&events("for example:", witness));
-    }
-    if let Some(Explanation { cause, scenarios, play, r#loop }) = explanation {
-        text.push_str(&format!("because: {cause} (`{}`)\n", scenarios.join("`, `")));
-        text.push_str(&events("the environment can force this play:", play));
-        text.push_str(&events("and then for ever:", r#loop));
+        if !witness.is_empty() {
+            text.push_str(&format!("  for example:\n    {}\n", witness.join("\n    ")));
+        }
     }
     text
-}
-
-/// A titled list; nothing if it is empty.
-fn events(title: &str, texts: &[String]) -> String {
-    if texts.is_empty() { String::new() } else { format!("  {title}\n    {}\n", texts.join("\n    ")) }
 }

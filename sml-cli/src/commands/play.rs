@@ -84,7 +84,7 @@ impl<'a> Table<'a> {
         session: &Session,
     ) -> Result<Self, Failure> {
         let player = Player::new(spec, session.semantics());
-        let player = player.map_err(|mistake| Failure::at(Exit::Wrong, mistake, loaded))?;
+        let player = player.map_err(|mistake| Failure::at(Exit::Wrong, *mistake, loaded))?;
         Ok(Table {
             loaded,
             player,
@@ -120,7 +120,7 @@ impl<'a> Table<'a> {
             }
             match self.given(&self.chosen(line)) {
                 Err(Trouble::NotExecutable(why)) => {
-                    output::note(render(&[why], &Sources::new(), self.color).trim_end());
+                    output::note(render(&[*why], &Sources::new(), self.color).trim_end());
                 }
                 result => result.map_err(|trouble| self.failure(trouble))?,
             }
@@ -182,8 +182,8 @@ impl<'a> Table<'a> {
 
     fn failure(&self, trouble: Trouble) -> Failure {
         match trouble {
-            Trouble::NotExecutable(why) => Failure::at(Exit::No, why, self.loaded),
-            Trouble::Mistake(mistake) => Failure::at(Exit::Wrong, mistake, self.loaded),
+            Trouble::NotExecutable(why) => Failure::at(Exit::No, *why, self.loaded),
+            Trouble::Mistake(mistake) => Failure::at(Exit::Wrong, *mistake, self.loaded),
             Trouble::Unshown(failure) => failure,
         }
     }

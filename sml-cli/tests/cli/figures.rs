@@ -80,3 +80,22 @@ fn colors_on_demand() {
     assert!(!escapes("check no_such.sml --color never"));
     assert!(!escapes("check no_such.sml"));
 }
+
+#[test]
+fn existential_scenarios_have_a_witness() {
+    let text = std::fs::read_to_string(crate::support::specs().join("memory/spec.sml")).expect("the corpus");
+    let scenarios = "existential scenario Blink { control -> lamp.red() control -> lamp.green() }
+      existential scenario Twice { control -> lamp.red() control -> lamp.red() } constraints [ interrupt control -> lamp.green() ]
+    guarantee scenario OneAtATick";
+    let text = text.replace("guarantee scenario OneAtATick", scenarios);
+    let run = sml_reading("check - --format json", text.as_bytes());
+    let found = run.json();
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let (blink, twice) = (&found["existential"][0], &found["existential"][1]);
+    assert_eq!((&blink["scenario"], &blink["reachable"]), (&"Memory.Blink".into(), &true.into()), "{found}");
+    let witness = ["control -> lamp.red()", "clock -> control.tick()", "control -> lamp.green()"];
+    assert_eq!(blink["witness"], Value::from(witness.to_vec()));
+    assert_eq!((&twice["reachable"], &twice["possible"]), (&false.into(), &true.into()), "{found}");
+    assert_eq!(found["states"], 4);
+    assert!(sml_reading("check -", text.as_bytes()).stdout.contains("`Memory.Blink` happens"));
+}

@@ -171,6 +171,13 @@ codes! {
          guarantee. A play is shown. Add the assumption that rules it out, or relax a guarantee.\n";
     VerificationFailed = 71, "a controller that does not meet the specification",
         "The product of controller and specification contains the play shown.\n";
+    EndlessSuperStep = 72, "a specification that only an endless super step meets",
+        "A play counts as won when an assumption is open for ever, and the environment cannot meet an assumption while\n\
+         the system keeps the turn. So by the letter of the winning condition the system wins by sending messages\n\
+         without end. No controller can do that in a cycle, and no play in which super steps end is won by the system\n\
+         here. Let the loop wait for an event of the environment, or relax the guarantee that needs it.\n\n\
+         Wrong:  while { eventually control -> lamp.blink() }\n\
+         Right:  while { clock -> control.tick()  eventually control -> lamp.blink() }\n";
 
     Usage = 100, "wrong usage",
         "The arguments make no sense together. `sml --help` and `sml COMMAND --help` say what can be asked.\n";

@@ -47,9 +47,9 @@ impl Side {
 /// Why a play does not go on.
 pub(super) enum Trouble {
     /// The event cannot happen now; another one may.
-    NotExecutable(Diagnostic),
+    NotExecutable(Box<Diagnostic>),
     /// The play has reached a mistake of the specification.
-    Mistake(Diagnostic),
+    Mistake(Box<Diagnostic>),
     /// What happened cannot be shown.
     Unshown(Failure),
 }
@@ -62,8 +62,8 @@ impl From<Failure> for Trouble {
 
 impl<'s> Player<'s> {
     /// In the initial state.
-    pub(super) fn new(spec: &'s Spec, semantics: Semantics) -> Result<Self, Diagnostic> {
-        let initially = |mistake: PlayError| mistake.diagnostic(&[]);
+    pub(super) fn new(spec: &'s Spec, semantics: Semantics) -> Result<Self, Box<Diagnostic>> {
+        let initially = |mistake: PlayError| Box::new(mistake.diagnostic(&[]));
         let mut playout = Playout::new(spec, semantics).map_err(initially)?;
         let config = playout.initial().map_err(initially)?;
         let mut player =
@@ -115,7 +115,7 @@ impl<'s> Player<'s> {
     }
 
     /// Finds out what can happen next.
-    fn look(&mut self) -> Result<(), Diagnostic> {
+    fn look(&mut self) -> Result<(), Box<Diagnostic>> {
         if self.over {
             self.moves.moves.clear();
             return Ok(());
@@ -124,19 +124,19 @@ impl<'s> Player<'s> {
             let diagnostic = Diagnostic::error(mistake.code, mistake.span, mistake.message);
             let event = event.map(|event| self.playout.event(event).text.clone());
             let play: Vec<String> = self.history.iter().cloned().chain(event).collect();
-            if play.is_empty() {
+            Box::new(if play.is_empty() {
                 diagnostic.note("this happens in the initial state")
             } else {
                 diagnostic.note(format!("after this play:\n  {}", play.join("\n  ")))
-            }
+            })
         })
     }
 
-    fn why_not(&mut self, text: &str) -> Diagnostic {
+    fn why_not(&mut self, text: &str) -> Box<Diagnostic> {
         let text = text.trim();
         let diagnostic = nowhere(Code::NotExecutable, format!("`{text}` cannot happen now"));
         if self.over {
-            return diagnostic.note("the play is over: a scenario was violated");
+            return Box::new(diagnostic.note("the play is over: a scenario was violated"));
         }
         let violated = self.playout.find_event(text).map_or(Vec::new(), |event| self.violated_by(event));
         let enabled = self.enabled();
@@ -148,7 +148,7 @@ impl<'s> Player<'s> {
         if !violated.is_empty() {
             diagnostic = diagnostic.note(format!("it would violate `{}`", violated.join("`, `")));
         }
-        diagnostic
+        Box::new(diagnostic)
     }
 
     fn violated_by(&mut self, event: EventId) -> Vec<String> {
