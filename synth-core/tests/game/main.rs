@@ -7,7 +7,9 @@ mod small;
 use proptest::bool::weighted;
 use proptest::collection::vec;
 use proptest::prelude::{Just, ProptestConfig, Strategy as Strategy_, any, prop_oneof, proptest};
-use synth_core::game::{ExtractError, Game, KeySetsBuilder, Strategy, Turn, YIELD, counter_play, extract, solve};
+use synth_core::game::{
+    ExtractError, Game, KeySetsBuilder, Strategy, Turn, YIELD, counter_play, extract, solve,
+};
 
 /// A state for [`game`].
 #[derive(Clone, Debug)]
