@@ -1,7 +1,7 @@
 //! What a copy wants: the events that messages with a modality at its cut ask for.
 
 use super::copies::{Copies, CopyId};
-use super::events::{EventId, Events, Signature, for_each_combination, parameter_values, players};
+use super::events::{EventId, Events, Signature, for_each_combination, links, parameter_values, players};
 use super::{PlayError, ValuationId, play_error};
 use crate::diagnostic::Code;
 use crate::model::{
