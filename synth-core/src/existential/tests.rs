@@ -65,9 +65,12 @@ fn what_the_controller_does_is_reachable() {
 #[test]
 fn a_message_out_of_order_ends_a_copy_without_completing_it() {
     // Between `press` and `tick` there is always `on`, a message of the scenario.
-    let example = "existential scenario E { user -> control.press() user -> control.tick() control -> lamp.on() }";
+    let example =
+        "existential scenario E { user -> control.press() user -> control.tick() control -> lamp.on() }";
     check(
-        &format!("{LAMP} assumption scenario A {{ user -> control.press() strict user -> control.tick() }} {example}"),
+        &format!(
+            "{LAMP} assumption scenario A {{ user -> control.press() strict user -> control.tick() }} {example}"
+        ),
         "C.E impossible",
     );
 }
@@ -84,7 +87,8 @@ fn an_interrupted_copy_is_not_completed() {
 
 #[test]
 fn a_strict_message_out_of_order_violates_nothing() {
-    let example = "existential scenario E { control -> lamp.on() strict control -> lamp.on() user -> control.press() }";
+    let example =
+        "existential scenario E { control -> lamp.on() strict control -> lamp.on() user -> control.press() }";
     check(&format!("{LAMP} {example}"), "C.E impossible");
 }
 
