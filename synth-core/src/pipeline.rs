@@ -53,6 +53,38 @@ impl From<ExploreError> for Failure {
     }
 }
 
+impl Failure {
+    /// What to tell the author of the specification, the earliest mistake first.
+    #[must_use]
+    pub fn diagnostics(&self) -> Vec<Diagnostic> {
+        let general = |code, message: String| Diagnostic::error(code, Span::default(), message);
+        let ours = "this is a mistake of the tool, not of the specification; nothing was written";
+        match self {
+            Failure::Wrong(diagnostics) => diagnostics.clone(),
+            Failure::Unrealizable(unrealizable) => vec![unrealizable.diagnostic.clone()],
+            Failure::Limit(limit) => vec![
+                general(
+                    Code::LimitReached,
+                    format!("the limit of {} {} was reached", limit.limit, limit.unit()),
+                )
+                .note(limit.to_string())
+                .help(format!("raise `--max-{}`, or make the specification smaller", limit.what)),
+            ],
+            Failure::Unverified(refutation) => vec![
+                general(Code::VerificationFailed, format!("verification failed: {}", refutation.reason))
+                    .note(format!("the play: {}", refutation.play.join("; ")))
+                    .note(ours),
+            ],
+            Failure::Inconsistent(why) => {
+                vec![
+                    general(Code::VerificationFailed, format!("the solver contradicts itself: {why}"))
+                        .note(ours),
+                ]
+            }
+        }
+    }
+}
+
 /// What is known of a specification that no controller can meet.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Unrealizable {

@@ -2,6 +2,7 @@
 //! interpreter of tables.
 
 pub mod corpus;
+pub mod fast;
 pub mod naive;
 pub mod random;
 pub mod reference;

@@ -60,7 +60,7 @@ impl<'a> Reference<'a> {
 
     /// One event with its super step, or `None`.
     pub fn react(&mut self, event: usize) -> Option<Codes> {
-        if !self.pending.is_empty() || self.due().is_some() {
+        if self.due().is_some() {
             return None;
         }
         let target = self.accepts(event)?;

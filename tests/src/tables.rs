@@ -202,10 +202,12 @@ pub fn random(specification: &str, size: Size, seed: u64) -> Tables {
     random_tables.initial = random.below(size.states);
     random_tables.events = (0..size.events)
         .map(|e| {
-            let sources = (0..size.states).filter(|&s| !stepping[s as usize]);
-            let rows: Vec<(u32, u32)> = sources
-                .filter_map(|s| (random.below(100) < size.rows).then(|| (s, random.below(size.states))))
-                .collect();
+            let mut rows = Vec::new();
+            for source in (0..size.states).filter(|&state| !stepping[state as usize]) {
+                if random.below(100) < size.rows {
+                    rows.push((source, random.below(size.states)));
+                }
+            }
             event_table(&format!("env -> ctl.e{e:04}()"), &rows)
         })
         .collect();

@@ -221,3 +221,17 @@ fn small_tables_are_arrays_and_large_ones_bytes() {
         assert_eq!(long, 0, "{text}");
     }
 }
+
+/// The controller of the runtime's benchmark is what would be generated today; with `SML_BLESS` it is written anew.
+#[test]
+fn the_benchmark_is_fresh() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../controller-template/benches/step/bench.rs");
+    let size = Size { states: 150, events: 7, rows: 60, components: 3 };
+    let text = text(&tables::random("bench", size, 1), &Options::default());
+    let (_, module) = text.split_once("\n\n").expect("a header");
+    let fresh = format!("// From tables at random, written by the tests of the Rust back end.\n\n{module}");
+    if std::env::var_os("SML_BLESS").is_some() {
+        std::fs::write(path, &fresh).expect("written");
+    }
+    assert_eq!(std::fs::read_to_string(path).expect("read"), fresh);
+}

@@ -204,3 +204,25 @@ codes! {
         "States, rows or commands outnumber what the target's types can tell apart, or draining would never end. \
          Nothing is written.\n";
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_code_is_explained() {
+        for pair in Code::ALL.windows(2) {
+            assert!((pair[0] as u16) < pair[1] as u16, "{} is out of order", pair[1]);
+        }
+        for code in Code::ALL {
+            assert!(!code.title().ends_with('.'), "{code}");
+            assert!(code.explanation().ends_with('\n'), "{code}");
+            assert!(code.explanation().len() > 100, "{code}");
+        }
+    }
+
+    #[test]
+    fn codes_have_four_digits() {
+        assert_eq!(Code::Lexical.to_string(), "SML0001");
+    }
+}

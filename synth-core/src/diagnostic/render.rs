@@ -5,7 +5,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use super::{Diagnostic, Severity};
 use crate::syntax::{FileId, Sources, Span};
 
-/// All `diagnostics` with the lines they are about, each followed by a newline; empty if there are none.
+/// All `diagnostics` with the lines they are about, an empty line between them; empty if there are none.
 ///
 /// `color` adds terminal escapes. A place outside its file is moved to the file's end; a diagnostic whose line is 0,
 /// or whose file has no text, is shown without a source.
@@ -14,6 +14,9 @@ pub fn render(diagnostics: &[Diagnostic], sources: &Sources, color: bool) -> Str
     let renderer = if color { Renderer::styled() } else { Renderer::plain() };
     let mut out = String::new();
     for diagnostic in diagnostics {
+        if !out.is_empty() {
+            out.push('\n');
+        }
         let code = diagnostic.code.to_string();
         out.push_str(&renderer.render(&[group(diagnostic, &code, sources)]));
         out.push('\n');

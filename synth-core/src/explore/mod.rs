@@ -14,6 +14,7 @@ pub use store::{StateId, StateStore};
 use crate::game::{Game, KeySets, KeySetsBuilder, Turn, YIELD};
 use crate::model::{Kind, Spec};
 use crate::playout::{Config, EventId, KeyId, Move, Moves, PlayError, Playout, Semantics};
+use std::fmt;
 
 /// When to stop.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -54,6 +55,21 @@ pub struct LimitReached {
     pub edges: usize,
     /// Bytes in use.
     pub memory: usize,
+}
+
+impl LimitReached {
+    /// What the limit counts.
+    #[must_use]
+    pub fn unit(&self) -> &'static str {
+        if self.what == "memory" { "bytes" } else { self.what }
+    }
+}
+
+impl fmt::Display for LimitReached {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let LimitReached { states, explored, edges, memory, .. } = self;
+        write!(f, "found {states} states, {explored} of them explored, {edges} transitions, {memory} bytes")
+    }
 }
 
 /// The explored specification.

@@ -398,11 +398,15 @@ fn start(
         // The cheap test first: most scenarios have nothing to do with most events.
         let Some(message) = scenario.message(node).filter(|m| m.operation == operation) else { continue };
         let roles = vec![UNSET; scenario.roles.len()];
+        if !(Matcher { occasion, scenario, roles: &roles, variables: &[], reads_state }).ends(message) {
+            continue;
+        }
         let mut walker =
             walker(occasion, scenario, reads_state, roles, vec![UNSET; scenario.variables.len()]);
         // Conditions, declarations and arguments in front of the message see the state before the effects.
         walker.attributes = occasion.before;
         if !declare_in_front(&mut walker, node) {
+            outcome.error = outcome.error.take().or(walker.error);
             continue;
         }
         let matcher =

@@ -344,7 +344,7 @@ impl Scanner {
                 let text = "this one has no partner either way, but the indentation points to the other";
                 error = error.also(self.span(innermost, innermost + 1), text);
             }
-            self.delimiter_error(place, error);
+            self.delimiter_error(self.suspect.unwrap_or(self.chars.len()), error);
         }
         while let Some(open) = self.open.pop() {
             self.readable.push(opposite(self.chars[open]));

@@ -18,7 +18,8 @@ pub(super) fn place(span: proc_macro2::Span, file: FileId) -> Span {
 ///
 /// Inside a procedural macro the compiler would lex, and all its tokens would stand at the macro's call. So the lexer
 /// of proc-macro2 itself is forced for as long as `read` runs: its tokens know their place in `text`, and the two
-/// kinds of token never meet.
+/// kinds of token never meet. (`force` and `unforce` are public, though not in the documentation.) A thread may lex
+/// any number of texts: each token counts its lines from the start of its own.
 pub(super) fn lex<T>(
     text: &str,
     file: FileId,

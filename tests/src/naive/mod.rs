@@ -18,6 +18,7 @@ pub mod cut;
 pub mod eval;
 pub mod explore;
 pub mod matching;
+pub mod product;
 pub mod progress;
 pub mod settle;
 pub mod solve;

@@ -79,8 +79,8 @@ fn cycle(doc: &str) -> TokenStream {
 /// `react`, which every controller has.
 fn react() -> TokenStream {
     quote! {
-        /// Takes one event with its super step; refuses with `None` an event that does not fit, and any while
-        /// events are pending or a super step is due.
+        /// Takes one event with its super step; refuses with `None` an event that does not fit, and any while a
+        /// super step is due. Pending events stay so.
         ///
         /// Of a split super step this is the first part; [`cycle`](Self::cycle) delivers the others, one a call.
         #[must_use]
@@ -117,7 +117,8 @@ fn batches() -> TokenStream {
             self.machine.is_pending(event)
         }
 
-        /// The pending events in table order; after a cycle these are unexpected ones, which fit nowhere yet.
+        /// The pending events in table order. After a cycle, unless a super step is due, these fit nowhere: they are
+        /// unexpected.
         pub fn pending(&self) -> impl ::core::iter::Iterator<Item = Event> + use<> {
             self.machine.pending().ones().filter_map(Event::from_index)
         }

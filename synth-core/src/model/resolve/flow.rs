@@ -2,30 +2,34 @@
 
 use super::super::scenario::{NodeId, NodeKind, Scenario};
 use crate::syntax::Span;
-use crate::syntax::ast::{Body, Fragment, FragmentKind, Message};
+use crate::syntax::ast::{Body, FragmentKind, Message};
 
 /// The places of the messages with which a scenario starts; empty if it starts at once.
 ///
-/// The first fragment (behind variable declarations) must be a message, or an `alternative` or `parallel` all of
-/// whose branches begin so.
+/// The first fragment (behind variable declarations) must be a message, or an `alternative` or `parallel` each of
+/// whose branches begins with a message. Deeper nesting starts at once: the language reference is read to the letter.
 pub(super) fn initial_messages(body: &Body) -> Vec<Span> {
     let mut initial = Vec::new();
     if collect_initial(body, &mut |message| initial.push(message.span)) { initial } else { Vec::new() }
 }
 
 fn collect_initial(body: &Body, visit: &mut dyn FnMut(&Message)) -> bool {
-    let mut fragments = body.fragments.iter();
-    let first = fragments.find(|fragment| !matches!(fragment.kind, FragmentKind::Variable(..)));
-    let Some(Fragment { kind, .. }) = first else { return false };
-    match kind {
-        FragmentKind::Message(_, message) => {
-            visit(message);
-            true
-        }
-        FragmentKind::Alternative(cases) => cases.iter().all(|case| collect_initial(&case.body, visit)),
-        FragmentKind::Parallel(branches) => branches.iter().all(|branch| collect_initial(branch, visit)),
-        _ => false,
-    }
+    let message = |body| match first_fragment(body) {
+        Some(FragmentKind::Message(_, message)) => Some(message),
+        _ => None,
+    };
+    let messages: Option<Vec<&Message>> = match first_fragment(body) {
+        Some(FragmentKind::Message(_, message)) => Some(vec![message]),
+        Some(FragmentKind::Alternative(cases)) => cases.iter().map(|case| message(&case.body)).collect(),
+        Some(FragmentKind::Parallel(branches)) => branches.iter().map(message).collect(),
+        _ => None,
+    };
+    messages.map(|messages| messages.into_iter().for_each(visit)).is_some()
+}
+
+fn first_fragment(body: &Body) -> Option<&FragmentKind> {
+    let mut kinds = body.fragments.iter().map(|fragment| &fragment.kind);
+    kinds.find(|kind| !matches!(kind, FragmentKind::Variable(..)))
 }
 
 /// The names of the roles that every one of the initial messages mentions, so that each start binds them.

@@ -194,7 +194,7 @@ impl Reader {
                     if inside.is_empty() {
                         return Err(self.expected(inside, "the name of a parameter"));
                     }
-                    self.comma_list(inside, |inside| {
+                    self.list(inside, |inside| {
                         let name = self.name(inside, "the name of a parameter")?;
                         self.punct(inside, Token![=], "`=` and the range of the parameter")?;
                         let spans =
@@ -202,7 +202,7 @@ impl Reader {
                                 if inside.is_empty() {
                                     return Err(self.expected(inside, "a value or a range such as `0..=9`"));
                                 }
-                                self.comma_list(inside, |inside| self.range_span(inside))
+                                self.list(inside, |inside| self.range_span(inside))
                             })?;
                         Ok((name, spans))
                     })

@@ -89,8 +89,7 @@ impl Reader {
 
     fn primary(&self, input: ParseStream<'_>) -> Result<Operand> {
         if input.peek(syn::token::Paren) {
-            let (inner, extent) =
-                self.parens(input, "`(`", |inside| self.nested(inside, || self.binary(inside, 0)))?;
+            let (inner, extent) = self.parens(input, "`(`", |inside| self.binary(inside, 0))?;
             return Ok(Operand { extent, ..inner });
         }
         let literal = self.simple(input, "an expression")?;

@@ -22,6 +22,7 @@ pub(super) struct Reader {
     errors: RefCell<Vec<Diagnostic>>,
     /// The closing delimiters that are still to come, innermost last.
     closing: RefCell<Vec<&'static str>>,
+    /// Levels of operators; `closing` counts those of delimiters.
     depth: Cell<usize>,
 }
 
@@ -296,7 +297,7 @@ impl Reader {
     ///
     /// [`Code::TooDeep`] at the next token: recursion through operators is as limited as that through delimiters.
     pub(super) fn nested<T>(&self, input: ParseStream<'_>, rule: impl FnOnce() -> Result<T>) -> Result<T> {
-        if self.depth.get() >= MAX_DEPTH {
+        if self.depth.get() + self.closing.borrow().len() >= MAX_DEPTH {
             return Err(Box::new(lexis::too_deep(self.span(input))));
         }
         self.depth.set(self.depth.get() + 1);

@@ -115,6 +115,13 @@ specification X {
 }
 
 #[test]
+fn a_text_cut_short_is_read_to_its_end() {
+    check(
+        "specification X {\n                ~ 2 unclosed `{`\n  object 1\n         ~ 4 expected the name of the object, found `1`\n  object",
+    );
+}
+
+#[test]
 fn mistakes_before_an_unclosed_delimiter_are_told() {
     check(
         "specification X {\n  object 1\n         ~ 4 expected the name of the object, found `1`\n  domain {\n         ~ 2 unclosed `{`\n}\n}\nobject (",
@@ -316,13 +323,20 @@ fn depth_of_tokens() {
 
 #[test]
 fn deepest_that_is_read() {
-    for (open, close, levels) in [("(", ")", 120), ("(a || b && c == d + e * (", "))", 16), ("!", "", 120)] {
+    for (open, close, levels) in
+        [("(", ")", 120), ("(a || b && c == d + e * (", "))", 17), ("!", "", 120), ("a => ", "", 120)]
+    {
         let (open, close) = (open.repeat(levels), close.repeat(levels));
         let text = format!(
             "specification X {{ collaboration C {{ guarantee scenario S {{ wait [{open}a{close}] }} }} }}"
         );
         assert_eq!(parse(&text).1, [], "{text}");
     }
+    let (open, close, not) = ("parallel { } and { ".repeat(80), "}".repeat(80), "!".repeat(40));
+    let text = format!(
+        "specification X {{ collaboration C {{ guarantee scenario S {{ {open} wait [{not}a] {close} }} }} }}"
+    );
+    assert_eq!(parse(&text).1, []);
 }
 
 #[test]

@@ -98,7 +98,7 @@ specification Everything {
   }
   controllable { Part, Base }
   non-spontaneous events { Part.move; Part.self }
-  parameter ranges { Part.move(place = [part, other], how = [0, 1..2, -3..=-1,],) Part.type(match = [true, Color:red, null]) }
+  parameter ranges { Part.move(place = [part, other], how = [0, 1..2 -3..=-1, -3..-2,],) Part.type(match = [true, Color:red, null]) }
   channels { Part.move over Part.next Part.move over Base.next; }
   collaboration C {
     static role Part part
