@@ -5,8 +5,8 @@
 //! It is one play, not all of them, and `scenarios` is what is involved in it, not a smallest set of conflicting scenarios.
 
 use crate::diagnostic::{Code, Diagnostic};
-use crate::explore::{Limits, explore};
-use crate::game::{CounterPlay, Loss, YIELD, counter_play, solve};
+use crate::explore::{Explored, Limits, explore};
+use crate::game::{CounterPlay, Loss, YIELD, can_meet, counter_play, solve};
 use crate::model::{Kind, Spec};
 use crate::pipeline::Solved;
 use crate::playout::{Config, Key, KeyId, Moves, Playout, Step};
@@ -19,10 +19,12 @@ pub enum Cause {
     /// The environment can bring the play to an event of its own that violates a guarantee but no assumption.
     EnvironmentViolates,
     /// The obligation that starves is a message that the system has to send, and throughout the loop each event that
-    /// would meet it violates a scenario or has no channel.
+    /// would meet it violates a scenario or has no channel. Nor could the system avoid that: it cannot meet
+    /// this obligation even if it violates no guarantee but neglects all other obligations.
     UrgentBlocked,
-    /// The specification would be realizable if the scenario of the obligation that starves were the only guarantee;
-    /// if super steps do not end: each of the (several) scenarios involved.
+    /// The system could meet the obligation that starves if it were the only one (without violating any guarantee), or
+    /// if its scenario were the only guarantee. If super steps do not end: several scenarios are involved, and
+    /// the specification were realizable with each of them alone.
     GuaranteesConflict,
     /// None of these: the environment can withhold what the obligation waits for.
     ObligationStarved,
@@ -65,8 +67,8 @@ pub struct Explanation {
     /// What is at the bottom of it.
     pub cause: Cause,
     /// Names of the scenarios involved, without duplicates: first those that are violated or starve, then those that
-    /// block the system's events, then (unless the environment violates a guarantee outright, or a message is blocked)
-    /// the other guarantees with an obligation that is open in the loop.
+    /// block the system's events. In a conflict also the guarantees that the system cannot meet together with the one
+    /// that starves: without any one of these it could.
     pub scenarios: Vec<String>,
     /// Event texts of a play that the environment can force; a yield is `yield`.
     pub play: Vec<String>,
@@ -132,7 +134,8 @@ pub const SILENCE: &str = "silence";
 
 /// Explains why the system cannot win from the initial state; `None` if it can.
 ///
-/// Costs about as much as solving the game once more, and in some cases exploring it with fewer guarantees.
+/// Costs about as much as solving the game once more; a conflict as much as solving it, or if that does not show it
+/// exploring and solving it, once for each guarantee.
 #[must_use]
 pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
     let CounterPlay { play, cycle, loss } = counter_play(&solved.explored.game, &solved.solution)?;
@@ -148,7 +151,6 @@ pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
         }
         Loss::Starvation(key) => {
             play.iter().try_for_each(|event| replay.follow(event))?;
-            let key = solved.explored.playout.key(key);
             replay.starvation(solved, key, &cycle)?
         }
         Loss::Endless => {
@@ -241,38 +243,44 @@ impl<'s> Replay<'s> {
     }
 
     /// An obligation is never met in the loop.
-    fn starvation(&mut self, solved: &Solved<'_>, key: &Key, cycle: &[String]) -> Option<Findings> {
+    fn starvation(&mut self, solved: &Solved<'_>, id: KeyId, cycle: &[String]) -> Option<Findings> {
         let spec = self.playout.spec();
+        let key = solved.explored.playout.key(id);
         let mut scenarios = vec![key.scenario];
         let mut blocked = BTreeSet::new();
-        let mut others = Vec::new();
         let mut always_blocked = true;
         for event in cycle.iter().map(Some).chain([None]) {
             let open = self.open();
             let starved = open.iter().find(|&&open| self.playout.key(open) == key);
             let is_blocked = starved.is_some_and(|&key| self.is_blocked(key, &mut scenarios, &mut blocked));
             always_blocked &= is_blocked;
-            others.extend(self.guarantees_of(&open));
             if let Some(event) = event {
                 self.follow(event)?;
             }
         }
-        let cause = if always_blocked {
+        let cause = if can_meet(&solved.explored.game, &[id]) {
+            scenarios.extend(rivals(spec, |others| {
+                let keys = solved.explored.game.guarantees.iter().copied();
+                let scenario_of = |key: KeyId| solved.explored.playout.key(key).scenario;
+                let kept = keys.filter(|&other| other == id || others.contains(&scenario_of(other)));
+                can_meet(&solved.explored.game, &kept.collect::<Vec<_>>())
+            }));
+            Cause::GuaranteesConflict
+        } else if always_blocked {
             Cause::UrgentBlocked
+        } else if is_realizable_with(solved, &[key.scenario]) {
+            scenarios.extend(rivals(spec, |others| {
+                is_realizable_with(solved, &[others, &[key.scenario]].concat())
+            }));
+            Cause::GuaranteesConflict
         } else {
-            scenarios.extend(others);
-            if is_realizable_alone(spec, solved, key.scenario) {
-                Cause::GuaranteesConflict
-            } else {
-                Cause::ObligationStarved
-            }
+            Cause::ObligationStarved
         };
         Some(Findings { cause, scenarios, starved: Some(key.clone()), blocked })
     }
 
     /// The system never lets the environment have its turn.
     fn endless(&mut self, solved: &Solved<'_>, cycle: &[String]) -> Option<Findings> {
-        let spec = self.playout.spec();
         let mut scenarios = Vec::new();
         for event in cycle {
             let open = self.open();
@@ -281,7 +289,7 @@ impl<'s> Replay<'s> {
         }
         scenarios.sort_unstable();
         scenarios.dedup();
-        let each_alone = || scenarios.iter().all(|&scenario| is_realizable_alone(spec, solved, scenario));
+        let each_alone = || scenarios.iter().all(|&scenario| is_realizable_with(solved, &[scenario]));
         let cause = if scenarios.len() > 1 && each_alone() {
             Cause::GuaranteesConflict
         } else {
@@ -323,18 +331,33 @@ impl<'s> Replay<'s> {
     }
 }
 
-/// Whether the specification were realizable with this guarantee alone. Without the others there can be more states or
-/// mistakes; where it becomes too large or wrong the answer is no.
-fn is_realizable_alone(spec: &Spec, solved: &Solved<'_>, scenario: usize) -> bool {
-    let mut alone = spec.clone();
-    let mut index = 0;
-    alone.scenarios.retain(|other| {
-        index += 1;
-        other.kind != Kind::Guarantee || index - 1 == scenario
+/// The guarantees that are in conflict with what starves: a set of them with which it cannot be met, but without any
+/// one of which it could.
+fn rivals(spec: &Spec, can_be_met_with: impl Fn(&[usize]) -> bool) -> Vec<usize> {
+    let is_guarantee = |&scenario: &usize| spec.scenarios[scenario].kind == Kind::Guarantee;
+    let mut rivals: Vec<usize> = (0..spec.scenarios.len()).filter(is_guarantee).collect();
+    for index in (0..rivals.len()).rev() {
+        let candidate = rivals.remove(index);
+        if can_be_met_with(&rivals) {
+            rivals.insert(index, candidate);
+        }
+    }
+    rivals
+}
+
+/// Whether the specification were realizable with these guarantees alone. Without the others there can be more states
+/// or mistakes; where it becomes too large or wrong the answer is no.
+fn is_realizable_with(solved: &Solved<'_>, guarantees: &[usize]) -> bool {
+    let Explored { playout, game, .. } = &solved.explored;
+    let mut reduced = playout.spec().clone();
+    let mut scenarios = 0..;
+    reduced.scenarios.retain(|scenario| {
+        let index = scenarios.next();
+        scenario.kind != Kind::Guarantee || index.is_some_and(|index| guarantees.contains(&index))
     });
-    let states = solved.explored.game.states().saturating_mul(4).max(10_000);
+    let states = game.states().saturating_mul(4).max(10_000);
     let limits = Limits { states, ..Limits::default() };
-    explore(&alone, solved.explored.playout.semantics(), &limits)
+    explore(&reduced, playout.semantics(), &limits)
         .is_ok_and(|explored| solve(&explored.game).wins(explored.game.initial))
 }
 

@@ -44,15 +44,6 @@ pub enum Failure {
     Inconsistent(String),
 }
 
-impl From<ExploreError> for Failure {
-    fn from(error: ExploreError) -> Self {
-        match error {
-            ExploreError::Play(mistake, play) => Failure::Wrong(vec![mistake.diagnostic(&play)]),
-            ExploreError::Limit(limit) => Failure::Limit(limit),
-        }
-    }
-}
-
 impl Failure {
     /// What to tell the author of the specification, the earliest mistake first.
     #[must_use]
@@ -81,6 +72,15 @@ impl Failure {
                         .note(ours),
                 ]
             }
+        }
+    }
+}
+
+impl From<ExploreError> for Failure {
+    fn from(error: ExploreError) -> Self {
+        match error {
+            ExploreError::Play(mistake, play) => Failure::Wrong(vec![mistake.diagnostic(&play)]),
+            ExploreError::Limit(limit) => Failure::Limit(limit),
         }
     }
 }

@@ -117,9 +117,9 @@ fn tell_cycle(cycle: u64, consumed: &[Event], commands: Commands, tell: &mut dyn
     }
     let events: Vec<&str> = consumed.iter().map(|event| event.text()).collect();
     let mut issued: Vec<&str> = Vec::new();
-    issued.extend(commands.deposit_arm.map(|command| command.text()));
-    issued.extend(commands.feed_arm.map(|command| command.text()));
-    issued.extend(commands.press.map(|command| command.text()));
+    issued.extend(commands.deposit_arm.map(production_cell::DepositArmCommand::text));
+    issued.extend(commands.feed_arm.map(production_cell::FeedArmCommand::text));
+    issued.extend(commands.press.map(production_cell::PressCommand::text));
     tell(format!("cycle {cycle:4}  {}", events.join(", ")));
     for command in issued {
         tell(format!("              => {command}"));

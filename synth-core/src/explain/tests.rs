@@ -7,7 +7,7 @@ const WORLD: &str = "specification World {
   domain d {
     class User { }
     class Control { press() release() tick() }
-    class Lamp { on() off() }
+    class Lamp { on() off() blink() }
   }
   object user: User
   object control: Control
@@ -65,4 +65,139 @@ fn check(body: &str, expect: &str) {
 #[test]
 fn nothing_is_explained_where_the_system_wins() {
     check("guarantee scenario G { user -> control.press() urgent control -> lamp.on() }", "realizable");
+}
+
+#[test]
+fn an_event_that_must_not_come_comes() {
+    check(
+        "guarantee scenario G { user -> control.press() user -> control.release() }
+           constraints [ forbidden user -> control.tick() ]",
+        "environment_violates C.G
+         play user -> control.press(), user -> control.tick()",
+    );
+}
+
+#[test]
+fn an_assumption_that_rules_it_out_helps() {
+    check(
+        "guarantee scenario G { user -> control.press() user -> control.release() }
+           constraints [ forbidden user -> control.tick() ]
+         assumption scenario A { user -> control.press() strict user -> control.release() }
+           constraints [ consider user -> control.tick() ]",
+        "realizable",
+    );
+}
+
+#[test]
+fn what_keeps_the_system_from_being_in_time_is_involved() {
+    check(
+        "guarantee scenario G { user -> control.press() strict urgent control -> lamp.on() }
+         guarantee scenario H { user -> control.press() user -> control.release() }
+           constraints [ forbidden control -> lamp.on() ignore user -> control.press() ]",
+        "environment_violates C.G, C.H
+         play user -> control.press(), user -> control.press()
+         blocked control -> lamp.on() by C.H",
+    );
+}
+
+#[test]
+fn a_message_is_blocked_for_ever() {
+    check(
+        "guarantee scenario G { user -> control.press() eventually control -> lamp.on() }
+         guarantee scenario H { user -> control.press() user -> control.release() }
+           constraints [ forbidden control -> lamp.on() ignore user -> control.press() ]",
+        "urgent_blocked C.G, C.H
+         play user -> control.press()
+         loop silence
+         starved C.G guarantee scenario G { user -> control.press() eventually control -> lamp.on() }
+         blocked control -> lamp.on() by C.H",
+    );
+}
+
+#[test]
+fn a_message_that_would_break_an_assumption_is_blocked() {
+    check(
+        "guarantee scenario G { user -> control.press() urgent control -> lamp.on() }
+         assumption scenario A { user -> control.press() user -> control.release() }
+           constraints [ forbidden control -> lamp.on() ]",
+        "urgent_blocked C.G, C.A
+         play user -> control.press()
+         loop silence
+         starved C.G guarantee scenario G { user -> control.press() urgent control -> lamp.on() }
+         blocked control -> lamp.on() by C.A",
+    );
+}
+
+#[test]
+fn one_of_two_guarantees_can_be_met_at_a_time() {
+    check(
+        "guarantee scenario G { user -> control.press() eventually control -> lamp.on() }
+         guarantee scenario H { user -> control.press() eventually control -> lamp.off() }
+         guarantee scenario OnIsFinal { control -> lamp.on() user -> control.release() }
+           constraints [ forbidden control -> lamp.off() ]
+         guarantee scenario OffIsFinal { control -> lamp.off() user -> control.release() }
+           constraints [ forbidden control -> lamp.on() ]
+         guarantee scenario Bystander { user -> control.press() eventually control -> lamp.blink() }",
+        "guarantees_conflict C.H, C.OnIsFinal, C.G
+         play user -> control.press(), control -> lamp.blink(), control -> lamp.on()
+         loop silence
+         starved C.H guarantee scenario H { user -> control.press() eventually control -> lamp.off() }
+         blocked control -> lamp.off() by C.OnIsFinal",
+    );
+}
+
+#[test]
+fn the_environment_withholds_what_is_waited_for() {
+    check(
+        "guarantee scenario G { user -> control.press() monitored eventually user -> control.release() }",
+        "obligation_starved C.G
+         play user -> control.press()
+         loop silence
+         starved C.G guarantee scenario G { user -> control.press() monitored eventually user -> control.release() }",
+    );
+}
+
+#[test]
+fn an_assumption_that_promises_it_helps() {
+    check(
+        "guarantee scenario G { user -> control.press() monitored eventually user -> control.release() }
+         assumption scenario A { user -> control.press() eventually user -> control.release() }",
+        "realizable",
+    );
+}
+
+#[test]
+fn two_guarantees_ask_each_other_for_ever() {
+    check(
+        "guarantee scenario G { control -> lamp.on() urgent control -> lamp.off() }
+         guarantee scenario H { control -> lamp.off() urgent control -> lamp.on() }
+         guarantee scenario Start { user -> control.press() urgent control -> lamp.on() }",
+        "guarantees_conflict C.G, C.H
+         play user -> control.press(), control -> lamp.on()
+         loop control -> lamp.off(), control -> lamp.on()",
+    );
+}
+
+#[test]
+fn one_guarantee_asks_for_ever() {
+    check(
+        "guarantee scenario G { user -> control.press() while { urgent control -> lamp.on() } }",
+        "obligation_starved C.G
+         play user -> control.press()
+         loop control -> lamp.on()",
+    );
+}
+
+#[test]
+fn a_goal_that_needs_the_other_guarantee_violated_is_in_conflict() {
+    check(
+        "guarantee scenario G { user -> control.press() eventually control -> lamp.on() }
+         guarantee scenario H { control -> lamp.on() user -> control.press() }
+           constraints [ forbidden user -> control.tick() ]
+         guarantee scenario Bystander { user -> control.press() eventually control -> lamp.blink() }",
+        "guarantees_conflict C.G, C.H
+         play user -> control.press(), control -> lamp.blink(), yield
+         loop silence
+         starved C.G guarantee scenario G { user -> control.press() eventually control -> lamp.on() }",
+    );
 }

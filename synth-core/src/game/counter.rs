@@ -64,6 +64,15 @@ pub fn counter_play(game: &Game, solution: &Solution) -> Option<CounterPlay> {
     Some(walk.run())
 }
 
+/// Whether the system would win from the initial state if these keys of guarantees were its only goals, beside never
+/// losing the game and ending every super step.
+#[must_use]
+pub fn can_meet(game: &Game, keys: &[u32]) -> bool {
+    let goals = Acceptance::goals_of(game, keys);
+    let layers = Layers::new(game, &Predecessors::new(game), &Acceptance::assumptions(game), &goals);
+    layers.order[game.initial as usize] == NONE
+}
+
 const NONE: u32 = u32::MAX;
 
 /// When and why states were taken out.

@@ -215,7 +215,10 @@ impl Playout<'_> {
     pub(super) fn is_linked(&self, config: &Config, event: EventId) -> bool {
         let event = self.events.get(event);
         let values = self.valuations.get(config.valuation);
-        !event.needs_channel || event.channels.iter().any(|&slot| values[slot] == event.receiver as i64)
+        event
+            .links
+            .as_ref()
+            .is_none_or(|links| links.iter().any(|&slot| values[slot] == event.receiver as i64))
     }
 }
 
