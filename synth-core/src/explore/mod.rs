@@ -161,7 +161,7 @@ impl<'s> Explorer<'s> {
             self.graph.first.push(self.graph.target.len() as u32);
             state += 1;
         }
-        Ok(())
+        self.check_memory(limits)
     }
 
     fn edge(&mut self, one: &Move) {
