@@ -1,20 +1,10 @@
-//! An import with mistakes of its own.
+//! A mistake in an imported file is shown there, at the import.
 
 sml_macros::sml! {
-    import "specs/wrong.sml"
+    import "specs/devices.sml"
+    import "specs/imports_wrong.sml"
     specification Lamp {
-      domain lamp { class Bulb { on() } class Button { } class Control { pressed() } }
-      object control: Control
-      object bulb: Bulb
-      object button: Button
-      controllable { Control }
-      collaboration Lamp {
-        /// the lamp answers the button
-        guarantee scenario Answers {
-          button -> control.pressed()
-          urgent control -> bulb.on()
-        }
-      }
+        controllable { Control }
     }
 }
 

@@ -23,7 +23,7 @@ fn survive(text: &str) {
     }
     if let Ok(tokens) = text.parse::<proc_macro2::TokenStream>() {
         let (_, errors) = parse_tokens(tokens.clone(), FileId(0));
-        let _ = compile_errors(&errors, &tokens);
+        let _ = compile_errors(&errors, &tokens, &Loaded::default());
     }
 }
 

@@ -1,10 +1,10 @@
-//! Tokens of Rust that SML has not.
+//! Names that are keywords in Rust need no `r#` here.
 
 sml_macros::sml! {
     specification Lamp {
       domain lamp { class Bulb { on() } class Button { } class Control { pressed() } }
       object control: Control
-      object r#bulb: Bulb { lit: 0x1F }
+      object r#bulb: Bulb { lit: true }
       object button: Button
       controllable { Control }
       collaboration Lamp {
