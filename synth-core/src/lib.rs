@@ -11,6 +11,8 @@ pub mod controller;
 pub mod diagnostic;
 pub mod embed;
 pub mod emit;
+pub mod existential;
+pub mod explain;
 pub mod explore;
 pub mod game;
 pub mod model;

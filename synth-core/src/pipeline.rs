@@ -1,10 +1,11 @@
 //! The pipeline: from the text of a specification to verified tables. Each stage is one line of [`compile`].
 
 use crate::controller::tables::{Provenance, Requirement, Tables};
-use crate::controller::{Alphabet, Controller, Letter, Level, merge, minimize};
+use crate::controller::{Alphabet, Controller, EndlessSuperStep, Letter, Level, merge, minimize};
 use crate::diagnostic::{Code, Diagnostic, Severity};
+use crate::explain::{Explanation, explain};
 use crate::explore::{ExploreError, Explored, LimitReached, Limits, explore};
-use crate::game::{Solution, extract, solve};
+use crate::game::{Solution, Strategy, YIELD, extract, solve};
 use crate::model::{Kind, Spec, resolve::resolve};
 use crate::playout::{Config, Playout, Semantics};
 use crate::syntax::{FileId, Loaded, Pos, Span};
@@ -75,13 +76,24 @@ impl Failure {
     }
 }
 
+impl From<ExploreError> for Failure {
+    fn from(error: ExploreError) -> Self {
+        match error {
+            ExploreError::Play(mistake, play) => Failure::Wrong(vec![mistake.diagnostic(&play)]),
+            ExploreError::Limit(limit) => Failure::Limit(limit),
+        }
+    }
+}
+
 /// What is known of a specification that no controller can meet.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Unrealizable {
     /// The size of the game.
     pub figures: Figures,
-    /// The message.
+    /// Why, as a message.
     pub diagnostic: Diagnostic,
+    /// Why, as data.
+    pub explanation: Explanation,
 }
 
 /// Time spent in the stages so far, in order.
@@ -174,10 +186,7 @@ pub fn play_and_solve<'s>(
     timings: &mut Timings,
 ) -> Result<Solved<'s>, Failure> {
     let explored = timings.stage("explore", || explore(spec, options.semantics, &options.limits));
-    let explored = explored.map_err(|error| match error {
-        ExploreError::Play(mistake, play) => Failure::Wrong(vec![mistake.diagnostic(&play)]),
-        ExploreError::Limit(limit) => Failure::Limit(limit),
-    })?;
+    let explored = explored?;
     let solution = timings.stage("solve", || solve(&explored.game));
     Ok(Solved { explored, solution })
 }
@@ -192,8 +201,7 @@ pub fn synthesize(
     timings: &mut Timings,
 ) -> Result<Verified, Failure> {
     if !solved.solution.wins(solved.explored.game.initial) {
-        let (figures, diagnostic) = (solved.figures(), unrealizable(solved));
-        return Err(Failure::Unrealizable(Box::new(Unrealizable { figures, diagnostic })));
+        return Err(unrealizable(solved, timings));
     }
     let Solved { explored, solution } = solved;
     let strategy = timings.stage("extract", || extract(&explored.game, solution));
@@ -210,6 +218,8 @@ pub fn synthesize(
             playout.owed(&config)
         })
     });
+    let raw =
+        raw.map_err(|endless| Failure::Wrong(vec![endless_super_step(explored, &strategy, endless)]))?;
     let controller = timings.stage("minimise", || minimize(&raw, options.level));
     let product_nodes = timings.stage("verify", || check(explored.playout.spec(), &controller, options))?;
     Ok(Verified { controller, unminimized_states: raw.states, product_nodes })
@@ -305,17 +315,55 @@ pub fn provenance(loaded: &Loaded, spec: &Spec) -> Provenance {
     }
 }
 
-/// Says that the specification is not realizable, with a play of the environment that shows it.
-fn unrealizable(solved: &Solved<'_>) -> Diagnostic {
-    let Solved { explored, .. } = solved;
-    let scenario = explored.playout.spec().scenarios.iter().find(|scenario| scenario.kind == Kind::Guarantee);
-    let place = scenario.map_or(start_of_file(), |scenario| scenario.span);
-    Diagnostic::error(Code::Unrealizable, place, "no controller can meet this specification")
-        .note("whatever the controller does, the environment can keep every assumption and still break or starve a guarantee")
-        .help("add the assumption about the environment that is missing, or relax a guarantee")
+/// Says that the system wins only by a super step that never ends.
+fn endless_super_step(explored: &Explored<'_>, strategy: &Strategy, endless: EndlessSuperStep) -> Diagnostic {
+    let Explored { playout, game, .. } = explored;
+    let texts = |edges: &[usize]| -> String {
+        let labels = edges.iter().map(|&edge| game.label[strategy.edge[edge] as usize]);
+        let texts = labels.map(|label| match label {
+            YIELD => "\n  yield".to_owned(),
+            event => format!("\n  {}", playout.event(event).text),
+        });
+        texts.collect()
+    };
+    let play = strategy.play_to(endless.node);
+    let (mut node, mut cycle) = (endless.node, Vec::new());
+    while let Some(edge) = strategy.edges_of(node).next() {
+        cycle.push(edge);
+        node = strategy.target[edge];
+        if node == endless.node {
+            break;
+        }
+    }
+    // What the system sends there is asked for by a guarantee.
+    let open = game.key_sets.members(game.open[strategy.state[endless.node as usize] as usize]);
+    let asked = open.iter().find(|key| game.guarantees.contains(key)).map(|&key| playout.key(key));
+    let spec = playout.spec();
+    let place = asked
+        .map_or_else(start_of_file, |key| spec.scenarios[key.scenario].nodes[usize::from(key.node)].span);
+    let message = "the system wins only by a super step that never ends";
+    let mut diagnostic = Diagnostic::error(Code::EndlessSuperStep, place, message)
+        .note("it keeps the environment from ever meeting an assumption that is still open; no controller can do that");
+    if !play.is_empty() {
+        diagnostic = diagnostic.note(format!("the shortest play that leads there:{}", texts(&play)));
+    }
+    diagnostic
+        .note(format!("and then, for ever:{}", texts(&cycle)))
+        .help("let the loop wait for an event of the environment, or relax a guarantee")
 }
 
 fn start_of_file() -> Span {
     let start = Pos { line: 1, column: 1 };
     Span { file: FileId(0), start, end: start }
+}
+
+/// Explains that the specification is not realizable.
+fn unrealizable(solved: &Solved<'_>, timings: &mut Timings) -> Failure {
+    match timings.stage("explain", || explain(solved)) {
+        Some(explanation) => {
+            let (figures, diagnostic) = (solved.figures(), explanation.diagnostic());
+            Failure::Unrealizable(Box::new(Unrealizable { figures, diagnostic, explanation }))
+        }
+        None => Failure::Inconsistent("the environment wins, but no play shows it".to_owned()),
+    }
 }

@@ -15,7 +15,7 @@ pub mod tables;
 
 pub use alphabet::{Alphabet, Letter};
 pub use minimize::{Level, minimize};
-pub use super_steps::merge;
+pub use super_steps::{EndlessSuperStep, interface, merge};
 
 /// An event of the controlled system, taken apart.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

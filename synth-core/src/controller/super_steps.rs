@@ -2,7 +2,25 @@
 
 use super::{Alphabet, Component, Controller, Event, SuperStep};
 use crate::game::{Game, Strategy, YIELD};
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, error::Error, fmt};
+
+/// A super step of the strategy never ends, so no controller can do it.
+///
+/// Such a strategy can be a winning one: where an assumption has not been met yet, the system can keep the environment
+/// from ever meeting it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct EndlessSuperStep {
+    /// The node of the strategy in which it begins.
+    pub node: u32,
+}
+
+impl fmt::Display for EndlessSuperStep {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the super step that begins in node {} never ends", self.node)
+    }
+}
+
+impl Error for EndlessSuperStep {}
 
 /// Merges the system choices of a strategy into super steps (Gritzner and Greenyer 2018, section 4).
 ///
@@ -15,22 +33,22 @@ use std::collections::BTreeMap;
 /// which events (ids of `alphabet`) assumptions promise in a state of the game; what is no environment event of the
 /// game is passed over.
 ///
-/// # Panics
+/// # Errors
 ///
-/// If a run of system choices never ends, so the strategy does not win.
-#[must_use]
+/// A run of system choices never ends.
 pub fn merge(
     game: &Game,
     strategy: &Strategy,
     alphabet: &Alphabet,
     owed: &mut dyn FnMut(u32) -> Vec<u32>,
-) -> Controller {
+) -> Result<Controller, EndlessSuperStep> {
     let vocabulary = Vocabulary::new(game, alphabet);
     let mut walk = Walk::new(game, strategy);
     let mut runs = Runs { commanded: vec![None; vocabulary.components.len()], vocabulary: &vocabulary };
     let mut environment = vec![Vec::new(); vocabulary.events.len()];
     let mut super_steps = Vec::new();
     let mut owed_per_state = Vec::new();
+    walk.check_runs()?;
     walk.visit(0);
     let mut source = 0;
     while let Some(&node) = walk.nodes.get(source as usize) {
@@ -47,7 +65,7 @@ pub fn merge(
         owed_per_state.push(vocabulary.promised(alphabet, &owed(strategy.state[node as usize])));
         source += 1;
     }
-    Controller {
+    Ok(Controller {
         states: source,
         initial: 0,
         environment,
@@ -56,6 +74,23 @@ pub fn merge(
         events: vocabulary.events,
         commands: vocabulary.commands,
         components: vocabulary.components,
+    })
+}
+
+/// The events, commands and components of `game` in a controller that accepts and does nothing: what names are made
+/// of, whoever wins.
+#[must_use]
+pub fn interface(game: &Game, alphabet: &Alphabet) -> Controller {
+    let Vocabulary { events, commands, components, .. } = Vocabulary::new(game, alphabet);
+    Controller {
+        states: 1,
+        initial: 0,
+        environment: vec![Vec::new(); events.len()],
+        super_steps: Vec::new(),
+        owed: vec![Vec::new()],
+        events,
+        commands,
+        components,
     }
 }
 
@@ -144,6 +179,25 @@ impl<'a> Walk<'a> {
         Some((self.game.label[self.strategy.edge[edge] as usize], self.strategy.target[edge]))
     }
 
+    /// Every run of choices must end.
+    fn check_runs(&self) -> Result<(), EndlessSuperStep> {
+        // Per node: the run, by its first node, that was the first to come by.
+        let mut run = vec![NONE; self.strategy.nodes()];
+        for begin in 0..self.strategy.nodes() as u32 {
+            let mut node = begin;
+            while run[node as usize] == NONE
+                && let Some((_, next)) = self.choice(node)
+            {
+                run[node as usize] = begin;
+                node = next;
+                if run[node as usize] == begin {
+                    return Err(EndlessSuperStep { node: begin });
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// The state for a node that is entered; yields are skipped (one yield leads to the environment's turn).
     fn visit(&mut self, mut node: u32) -> u32 {
         while let Some((YIELD, next)) = self.choice(node) {
@@ -180,7 +234,6 @@ impl Runs<'_> {
                     }
                 }
                 events.push(command);
-                assert!(events.len() <= walk.strategy.nodes(), "a run of system choices never ends");
             }
             node = next;
         }
@@ -281,7 +334,7 @@ mod tests {
     fn merged(nodes: &[Node]) -> Controller {
         let alphabet = alphabet(nodes);
         let (game, strategy) = game_and_strategy(nodes, &alphabet);
-        merge(&game, &strategy, &alphabet, &mut |_| Vec::new())
+        merge(&game, &strategy, &alphabet, &mut |_| Vec::new()).expect("super steps end")
     }
 
     #[track_caller]
@@ -408,15 +461,37 @@ mod tests {
                 2 => vec![id("env -> ctl.b()"), id("env -> ctl.b()")],
                 _ => vec![],
             }
-        });
+        })
+        .expect("super steps end");
         assert_eq!(controller.owed, [vec![0, 2], vec![1], vec![]]);
         assert_eq!(asked, [0, 2, 3]);
     }
 
+    /// The node in which a super step begins that never ends.
+    #[track_caller]
+    fn check_endless(input: &str, node: u32) {
+        let nodes = parse(input);
+        let alphabet = alphabet(&nodes);
+        let (game, strategy) = game_and_strategy(&nodes, &alphabet);
+        let merged = merge(&game, &strategy, &alphabet, &mut |_| Vec::new());
+        assert_eq!(merged, Err(EndlessSuperStep { node }));
+    }
+
     #[test]
-    #[should_panic(expected = "never ends")]
-    fn a_run_without_end_is_no_strategy() {
-        merged(&parse("0: a 1 \n 1! log.x 2 \n 2! log.y 1"));
+    fn a_run_without_end_is_refused() {
+        check_endless("0: a 1 \n 1! log.x 2 \n 2! log.y 3 \n 3! log.x 2", 1);
+        check_endless("0! log.x 0", 0);
+    }
+
+    #[test]
+    fn a_circle_of_yields_is_refused() {
+        check_endless("0: a 1 \n 1! yield 1", 1);
+        check_endless("0: a 1 \n 1! log.x 2 \n 2! yield 2", 1);
+    }
+
+    #[test]
+    fn a_run_without_end_is_refused_although_it_would_be_split() {
+        check_endless("0: a 1 \n 1! arm.go 2 \n 2! press.go 1", 1);
     }
 
     /// Games in which every run of system choices ends, and the last state is the environment's.

@@ -33,7 +33,8 @@ impl fmt::Display for Code {
     }
 }
 
-// 1 to 19: lexis and syntax; 20 to 49: names and types; 50 to 69: play-out; 70 to 89: the game; 90 up: warnings.
+// 1 to 19: lexis and syntax; 20 to 49: names and types; 50 to 69: play-out; 70 to 89: the game; 90 to 99: warnings; 100 up: the
+// command `sml`.
 codes! {
     Lexical = 1, "text that is not a token",
         "The text contains a character that begins no token. SML uses the tokens of Rust, so that the same text can\n\
@@ -170,6 +171,38 @@ codes! {
          guarantee. A play is shown. Add the assumption that rules it out, or relax a guarantee.\n";
     VerificationFailed = 71, "a controller that does not meet the specification",
         "The product of controller and specification contains the play shown.\n";
+    EndlessSuperStep = 72, "a specification that only an endless super step meets",
+        "A play counts as won when an assumption is open for ever, and the environment cannot meet an assumption while\n\
+         the system keeps the turn. So by the letter of the winning condition the system wins by sending messages\n\
+         without end. No controller can do that in a cycle, and no play in which super steps end is won by the system\n\
+         here. Let the loop wait for an event of the environment, or relax the guarantee that needs it.\n\n\
+         Wrong:  while { eventually control -> lamp.blink() }\n\
+         Right:  while { clock -> control.tick()  eventually control -> lamp.blink() }\n";
+
+    Usage = 100, "wrong usage",
+        "The arguments make no sense together. `sml --help` and `sml COMMAND --help` say what can be asked.\n";
+    Unsupported = 101, "something that is not supported yet",
+        "The name is part of the interface, but this version does nothing under it yet.\n";
+    Unreadable = 102, "a file that cannot be opened",
+        "The file does not exist, is a directory, or may not be read. The exit code is 4.\n";
+    Unwritable = 103, "an output that cannot be written",
+        "The folder does not exist, or it or the file may not be written. Files are written whole or not at all: what \
+         was there before is untouched. The exit code is 4.\n";
+    MalformedController = 104, "a file that is not a controller",
+        "`sml verify` and `--controller` take the JSON that `sml synth` writes, from whatever source. The message says \
+         what is wrong and where.\n";
+    MalformedStimulus = 105, "a file that is not a stimulus",
+        "A stimulus is a CSV. Its header names events of the environment by their texts; each further line is one \
+         cycle, with a 0 or 1 for each of them.\n\n\
+         Right:  belt -> controller.blankArrived(),arm -> controller.pickedUp()\n        1,0\n        0,1\n";
+    NotExecutable = 106, "an event that cannot happen now",
+        "In this state of the play the event is not one of those that can happen: it is not that side's turn, nobody \
+         asks for it, or it would violate a scenario of its own side. The message lists those that can.\n";
+    Stale = 107, "an output that is not up to date",
+        "`--check` compares a file with what would be written into it. They differ, or the file is missing.\n";
+    Unfit = 108, "a controller that a target cannot hold",
+        "States, rows or commands outnumber what the target's types can tell apart, or draining would never end. \
+         Nothing is written.\n";
 }
 
 #[cfg(test)]

@@ -3,8 +3,12 @@
 //! Nothing is pruned. States are numbered in order of discovery, edges ordered by the events' texts, so the result
 //! depends on the specification alone. The losing state (and with classic semantics the won state) come last.
 
+#[cfg(feature = "json")]
+mod json;
 mod store;
 
+#[cfg(feature = "json")]
+pub use json::write_json;
 pub use store::{StateId, StateStore};
 
 use crate::game::{Game, KeySets, KeySetsBuilder, Turn, YIELD};

@@ -21,7 +21,12 @@ impl Acceptance {
     /// The goals of the system: the guarantees, in the order of [`Game::guarantees`], and then the one that super
     /// steps end.
     pub(super) fn goals(game: &Game) -> Vec<Acceptance> {
-        let mut goals = Self::of_keys(game, &game.guarantees);
+        Self::goals_of(game, &game.guarantees)
+    }
+
+    /// The goals of a system that has only these keys to meet: they, and then the one that super steps end.
+    pub(super) fn goals_of(game: &Game, keys: &[u32]) -> Vec<Acceptance> {
+        let mut goals = Self::of_keys(game, keys);
         let mut open = FixedBitSet::with_capacity(game.states());
         for (state, turn) in game.turn.iter().enumerate() {
             open.set(state, turn.is_system());

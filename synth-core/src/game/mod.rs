@@ -3,6 +3,7 @@
 //! Flat arrays with `u32` ids throughout; 10^7 states are meant to fit.
 
 mod acceptance;
+mod counter;
 mod extract;
 mod fairness;
 mod keysets;
@@ -12,6 +13,7 @@ mod region;
 mod solve;
 mod strategy;
 
+pub use counter::{CounterPlay, Loss, can_meet, counter_play};
 pub use extract::{ExtractError, extract};
 pub use keysets::{KeySets, KeySetsBuilder};
 pub use solve::{Solution, solve};

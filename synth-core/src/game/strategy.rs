@@ -24,6 +24,21 @@ impl Strategy {
         self.state.len()
     }
 
+    /// The edges of a shortest play to `node`.
+    #[must_use]
+    pub fn play_to(&self, node: u32) -> Vec<usize> {
+        let mut play = Vec::new();
+        let mut here = node;
+        while here != 0 {
+            // Nodes are numbered breadth first, so the first edge into a node lies on a shortest play.
+            let Some(edge) = self.target.iter().position(|&target| target == here) else { break };
+            play.push(edge);
+            here = self.first.partition_point(|&first| first as usize <= edge) as u32 - 1;
+        }
+        play.reverse();
+        play
+    }
+
     /// The edges that leave `node`.
     #[must_use]
     pub fn edges_of(&self, node: u32) -> std::ops::Range<usize> {

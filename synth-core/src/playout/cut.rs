@@ -234,6 +234,11 @@ impl Walker<'_> {
         matches!(self.kind(a), NodeKind::Alternative(_))
     }
 
+    /// Whether the walk came to the end of the scenario, rather than being broken off.
+    pub(super) fn is_completed(&self, rest: Rest) -> bool {
+        rest == Rest::Ended && self.cut.is_empty()
+    }
+
     /// Silent moves, the textually first one first, until nothing changes.
     pub(super) fn settle(&mut self) -> Rest {
         let mut seen: Vec<(Vec<NodeId>, Vec<Value>)> = Vec::new();

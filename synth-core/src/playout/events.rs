@@ -4,7 +4,7 @@ use super::PlayError;
 use super::indexed::Indexed;
 use crate::diagnostic::Code;
 use crate::model::{
-    Argument, ConstraintKind, Kind, Message, ObjectId, OperationId, RoleRef, Scenario, Spec, Value,
+    Argument, ConstraintKind, Kind, Message, ObjectId, OperationId, RoleRef, Scenario, SlotId, Spec, Value,
 };
 
 /// Index of an event. Environment events come first, in the order of their texts.
@@ -39,10 +39,8 @@ pub struct Event {
     pub controllable: bool,
     /// An environment event that needs no assumption to cause it.
     pub spontaneous: bool,
-    /// Slots of which one must hold the receiver, if not empty.
-    pub(super) channels: Box<[usize]>,
-    /// Some channel rule concerns this operation at this receiver.
-    pub(super) needs_channel: bool,
+    /// Slots of which one must hold the receiver, if there is a rule about channels.
+    pub(super) links: Option<Box<[SlotId]>>,
 }
 
 /// All events met so far.
@@ -104,9 +102,6 @@ fn describe(spec: &Spec, signature: &Signature) -> Event {
     let Signature { sender, receiver, operation, ref arguments } = *signature;
     let controllable = spec.controllable[sender];
     let caused = spec.non_spontaneous.iter().any(|&event| spec.refers(event, receiver, operation));
-    let rules = spec.channels.iter().filter(|channel| spec.refers(channel.event, receiver, operation));
-    let sender_class = spec.domain.objects[sender].class;
-    let links = rules.clone().filter(|channel| spec.domain.is_a(sender_class, channel.class));
     Event {
         sender,
         receiver,
@@ -115,9 +110,22 @@ fn describe(spec: &Spec, signature: &Signature) -> Event {
         text: text(spec, signature),
         controllable,
         spontaneous: !controllable && !caused,
-        channels: links.map(|channel| spec.domain.slot(sender, channel.reference)).collect(),
-        needs_channel: rules.count() > 0,
+        links: links(spec, sender, receiver, operation),
     }
+}
+
+/// The sender's references of which one must hold the receiver; `None` if no rule concerns the operation there.
+pub(super) fn links(
+    spec: &Spec,
+    sender: ObjectId,
+    receiver: ObjectId,
+    operation: OperationId,
+) -> Option<Box<[SlotId]>> {
+    let rules = spec.channels.iter().filter(|channel| spec.refers(channel.event, receiver, operation));
+    rules.clone().next()?;
+    let class = spec.domain.objects[sender].class;
+    let links = rules.filter(|channel| spec.domain.is_a(class, channel.class));
+    Some(links.map(|channel| spec.domain.slot(sender, channel.reference)).collect())
 }
 
 fn text(spec: &Spec, signature: &Signature) -> String {

@@ -8,6 +8,7 @@
 //!
 //! The stage knows nothing of graphs, games or files; its clients are exploration, verification and `sml play`.
 
+mod attempts;
 mod attributes;
 mod copies;
 mod cut;
@@ -19,7 +20,10 @@ mod react;
 mod step;
 mod turn;
 
+pub use attempts::Attempt;
 pub use attributes::ValuationId;
+#[cfg(feature = "json")]
+pub(crate) use copies::variables_read;
 pub use copies::{Copy, CopyId};
 pub use events::{Event, EventId};
 pub use keys::{Key, KeyId};
@@ -83,6 +87,8 @@ impl PlayError {
 pub struct Playout<'s> {
     spec: &'s Spec,
     semantics: Semantics,
+    /// The existential scenario whose copies are part of the states.
+    followed: Option<usize>,
     events: Events,
     valuations: Valuations,
     copies: Copies,
@@ -100,6 +106,7 @@ impl<'s> Playout<'s> {
         Ok(Playout {
             spec,
             semantics,
+            followed: None,
             events: Events::new(spec)?,
             valuations: Valuations::new(&spec.domain),
             copies: Copies::new(),
@@ -107,6 +114,16 @@ impl<'s> Playout<'s> {
             reactions: Reactions::default(),
             offers: OfferTable::default(),
         })
+    }
+
+    /// Like [`Playout::new`], but with the copies of one existential scenario in the states. Moves and turns are the
+    /// same as without; states that differ only in these copies are apart, and a [`Step`] says when one of them is
+    /// completed.
+    ///
+    /// # Errors
+    /// The environment has too many different events.
+    pub fn following(spec: &'s Spec, semantics: Semantics, scenario: usize) -> Result<Self, PlayError> {
+        Ok(Playout { followed: Some(scenario), ..Self::new(spec, semantics)? })
     }
 
     /// The specification.

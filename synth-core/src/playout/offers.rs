@@ -1,11 +1,12 @@
 //! What a copy wants: the events that messages with a modality at its cut ask for.
 
 use super::copies::{Copies, CopyId};
-use super::events::{EventId, Events, Signature, for_each_combination, parameter_values, players};
+use super::events::{EventId, Events, Signature, for_each_combination, links, parameter_values, players};
 use super::{PlayError, ValuationId, play_error};
 use crate::diagnostic::Code;
 use crate::model::{
-    Argument, Kind, Message, Modality, NodeKind, RoleRef, Scenario, Scope, Spec, Type, UNSET, Value,
+    Argument, Kind, Message, Modality, NodeKind, ObjectId, OperationId, RoleRef, Scenario, Scope, Spec, Type,
+    UNSET, Value,
 };
 use rustc_hash::FxHashMap;
 use std::cell::Cell;
@@ -172,6 +173,10 @@ fn to_send(
             if message.sender == message.receiver && sender != receiver {
                 continue;
             }
+            // Without a link the message is no candidate, whatever its arguments.
+            if !is_linked(spec, scope, sender, receiver, message.operation) {
+                continue;
+            }
             let mut choices = Vec::new();
             for (index, argument) in message.arguments.iter().enumerate() {
                 choices.push(match argument {
@@ -199,6 +204,21 @@ fn to_send(
         }
     }
     wanted
+}
+
+fn is_linked(
+    spec: &Spec,
+    scope: &Scope<'_>,
+    sender: ObjectId,
+    receiver: ObjectId,
+    operation: OperationId,
+) -> bool {
+    links(spec, sender, receiver, operation).is_none_or(|links| {
+        links.iter().any(|&slot| {
+            scope.reads_state.set(scope.reads_state.get() || spec.domain.mutable[slot]);
+            scope.attributes[slot] == receiver as Value
+        })
+    })
 }
 
 /// The value of an evaluated argument: an object of the wrong class fits nothing, an integer out of range is a

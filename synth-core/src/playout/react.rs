@@ -21,6 +21,8 @@ pub(super) struct Outcome {
     pub(super) violated: Vec<usize>,
     /// Keys that the copy had and met, ascending.
     pub(super) discharged: Vec<KeyId>,
+    /// A copy of an existential scenario came to its end.
+    pub(super) completed: bool,
     /// A mistake met on the way.
     pub(super) error: Option<PlayError>,
 }
@@ -46,6 +48,8 @@ pub(super) struct Reactions {
 /// The surroundings of one event: everything that an outcome can depend on.
 pub(super) struct Occasion<'a> {
     pub(super) spec: &'a Spec,
+    /// The existential scenario that is followed.
+    pub(super) followed: Option<usize>,
     pub(super) id: EventId,
     pub(super) event: &'a Event,
     /// The valuation before the event, and its values.
@@ -361,6 +365,8 @@ fn conclude(
     rest: Rest,
     outcome: &mut Outcome,
 ) {
+    let is_existential = walker.spec.scenarios[scenario].kind == Kind::Existential;
+    outcome.completed |= is_existential && walker.is_completed(rest);
     let Walker { spec, roles, variables, cut, error, .. } = walker;
     outcome.error = outcome.error.take().or(error);
     match rest {
@@ -369,9 +375,7 @@ fn conclude(
                 Identity { scenario, roles: roles.into(), variables: variables.into(), cut: cut.into() };
             outcome.copies.push(copies.intern(spec, keys, identity));
         }
-        Rest::Violated if spec.scenarios[scenario].kind != Kind::Existential => {
-            outcome.violated.push(scenario);
-        }
+        Rest::Violated if !is_existential => outcome.violated.push(scenario),
         Rest::Violated | Rest::Ended => {}
     }
 }
@@ -386,7 +390,7 @@ fn start(
     outcome: &mut Outcome,
 ) {
     let scenario = &occasion.spec.scenarios[index];
-    if scenario.kind == Kind::Existential {
+    if !plays(scenario, index, occasion.followed) {
         return;
     }
     let operation = occasion.event.operation;
@@ -427,6 +431,11 @@ fn start(
         }
         return;
     }
+}
+
+/// Whether copies of the scenario are part of the states: existential ones are only followed on demand.
+pub(super) fn plays(scenario: &Scenario, index: usize, followed: Option<usize>) -> bool {
+    scenario.kind != Kind::Existential || followed == Some(index)
 }
 
 /// Runs the declarations in front of an initial message; `false` if it lies in a case that is not offered now.

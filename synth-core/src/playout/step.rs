@@ -3,7 +3,7 @@
 use super::cut::{Rest, Walker};
 use super::events::{Event, EventId};
 use super::keys::KeyId;
-use super::react::{Occasion, bind_roles};
+use super::react::{Occasion, bind_roles, plays};
 use super::{Config, PlayError, Playout, ValuationId, play_error};
 use crate::diagnostic::Code;
 use crate::model::{Effect, Endpoint, Kind, Scope, Spec, UNSET, Value};
@@ -18,6 +18,8 @@ pub struct Step {
     pub violated: Vec<usize>,
     /// Keys that it discharges, ascending, without duplicates.
     pub discharged: Vec<KeyId>,
+    /// A copy of the existential scenario that is followed comes to its end.
+    pub completed: bool,
     /// A mistake met on the way; the rest of the result is then a best effort.
     pub error: Option<PlayError>,
 }
@@ -36,10 +38,19 @@ impl Playout<'_> {
     /// # Errors
     /// A scenario is violated from the start, or a mistake shows while settling.
     pub fn initial(&mut self) -> Result<Config, PlayError> {
-        let mut config = Config::default();
+        Ok(self.begin()?.config)
+    }
+
+    /// The initial state like [`Playout::initial`], as if a step had led there.
+    ///
+    /// # Errors
+    /// The same.
+    pub fn begin(&mut self) -> Result<Step, PlayError> {
+        let mut begin = Step::default();
+        let config = &mut begin.config;
         for index in 0..self.spec.scenarios.len() {
             let scenario = &self.spec.scenarios[index];
-            if scenario.kind == Kind::Existential || !scenario.initial.is_empty() {
+            if !plays(scenario, index, self.followed) || !scenario.initial.is_empty() {
                 continue;
             }
             let reads_state = Cell::new(false);
@@ -54,7 +65,8 @@ impl Playout<'_> {
                 error: None,
                 reads_state: &reads_state,
             };
-            let rest = if bind_roles(&mut walker) && walker.enter(0) { walker.settle() } else { Rest::Ended };
+            let is_bound = bind_roles(&mut walker);
+            let rest = if is_bound && walker.enter(0) { walker.settle() } else { Rest::Ended };
             if let Some(error) = walker.error {
                 return Err(error);
             }
@@ -69,6 +81,9 @@ impl Playout<'_> {
                     };
                     config.copies.push(self.copies.intern(self.spec, &mut self.keys, identity));
                 }
+                Rest::Violated | Rest::Ended if self.followed == Some(index) => {
+                    begin.completed = is_bound && walker.is_completed(rest);
+                }
                 Rest::Violated => {
                     return Err(PlayError {
                         code: Code::ViolatedInitially,
@@ -80,7 +95,7 @@ impl Playout<'_> {
             }
         }
         config.copies.sort_unstable();
-        Ok(config)
+        Ok(begin)
     }
 
     /// What `event` does in `config`, whether or not it may happen there.
@@ -89,11 +104,13 @@ impl Playout<'_> {
         step.discharged.clear();
         step.config.copies.clear();
         step.config.yielded = false;
+        step.completed = false;
         let (valuation, mistake) = self.effects(config.valuation, event);
         step.config.valuation = valuation;
         step.error = mistake;
         let occasion = Occasion {
             spec: self.spec,
+            followed: self.followed,
             id: event,
             event: self.events.get(event),
             valuation: config.valuation,
@@ -106,12 +123,14 @@ impl Playout<'_> {
             step.config.copies.extend_from_slice(&outcome.copies);
             step.violated.extend_from_slice(&outcome.violated);
             step.discharged.extend_from_slice(&outcome.discharged);
+            step.completed |= outcome.completed;
             step.error = step.error.take().or_else(|| outcome.error.clone());
         }
         let started = self.reactions.start(&mut self.copies, &mut self.keys, &occasion);
         let started = self.reactions.outcome(started);
         step.config.copies.extend_from_slice(&started.copies);
         step.violated.extend_from_slice(&started.violated);
+        step.completed |= started.completed;
         step.error = step.error.take().or_else(|| started.error.clone());
         for list in [&mut step.config.copies, &mut step.discharged] {
             list.sort_unstable();

@@ -28,6 +28,8 @@ pub struct Move {
     pub end: Option<Turn>,
     /// Keys that it discharges, ascending.
     pub discharged: Vec<KeyId>,
+    /// A copy of the existential scenario that is followed comes to its end.
+    pub completed: bool,
 }
 
 /// Whose turn it is in a state, and all moves in the order of the events' texts, a yield last.
@@ -103,7 +105,13 @@ impl Playout<'_> {
         if !config.yielded && self.system_moves(config, &mut wishes, Urgency::Eventually, moves)? {
             moves.turn = Turn::SystemEventually;
             let config = Config { yielded: true, ..config.clone() };
-            moves.moves.push(Move { event: None, config, end: None, discharged: Vec::new() });
+            moves.moves.push(Move {
+                event: None,
+                config,
+                end: None,
+                discharged: Vec::new(),
+                completed: false,
+            });
             return Ok(());
         }
         let caused = wishes.environment.iter().map(|wish| wish.1);
@@ -204,10 +212,13 @@ impl Playout<'_> {
     }
 
     /// Whether the sender knows the receiver, where a channel is required.
-    fn is_linked(&self, config: &Config, event: EventId) -> bool {
+    pub(super) fn is_linked(&self, config: &Config, event: EventId) -> bool {
         let event = self.events.get(event);
         let values = self.valuations.get(config.valuation);
-        !event.needs_channel || event.channels.iter().any(|&slot| values[slot] == event.receiver as i64)
+        event
+            .links
+            .as_ref()
+            .is_none_or(|links| links.iter().any(|&slot| values[slot] == event.receiver as i64))
     }
 }
 
@@ -220,8 +231,8 @@ fn push(
     match step.error {
         Some(mistake) => Err((Some(event), mistake)),
         None => {
-            let (config, discharged) = (step.config, step.discharged);
-            moves.moves.push(Move { event: Some(event), config, end, discharged });
+            let Step { config, discharged, completed, .. } = step;
+            moves.moves.push(Move { event: Some(event), config, end, discharged, completed });
             Ok(())
         }
     }

@@ -1,12 +1,15 @@
 //! The solver against a naive one, on random games and on small ones made by hand.
 
+mod counter;
 mod naive;
 mod small;
 
 use proptest::bool::weighted;
 use proptest::collection::vec;
 use proptest::prelude::{Just, ProptestConfig, Strategy as Strategy_, any, prop_oneof, proptest};
-use synth_core::game::{ExtractError, Game, KeySetsBuilder, Strategy, Turn, YIELD, extract, solve};
+use synth_core::game::{
+    ExtractError, Game, KeySetsBuilder, Strategy, Turn, YIELD, counter_play, extract, solve,
+};
 
 /// A state for [`game`].
 #[derive(Clone, Debug)]
@@ -65,6 +68,8 @@ pub(crate) fn solved(game: &Game) -> Option<Strategy> {
         Err(error) => {
             assert_eq!(error, ExtractError::Unrealizable);
             assert!(!solution.wins(game.initial));
+            let counter = counter_play(game, &solution).expect("a play that the environment wins");
+            counter::assert_lost(game, &winning, &counter);
             None
         }
     }

@@ -3,8 +3,8 @@
 use super::eval::{EvalError, Names, Scope};
 use super::spec::{Scenario, Spec};
 use super::state::{Attributes, Copy, Roles, Variables};
-use super::value::Event;
-use synth_core::syntax::ast::{ArgumentKind, Message};
+use super::value::{Event, Value};
+use synth_core::syntax::ast::{Argument, ArgumentKind, Message};
 
 /// What a copy, or one that is about to start, brings to a match.
 #[derive(Clone, Copy, Debug)]
@@ -43,11 +43,11 @@ impl<'a> Context<'a> {
     /// The event is the message that stands in the body at a path: roles and variables after it.
     ///
     /// Roles and arguments that are bound must match, unbound ones match anything of their type and become bound.
-    /// `bind v` matches any value that `v` can take, also when `v` is already set, and sets it anew. An argument
+    /// `bind v` matches any value, also when `v` is already set, and sets it anew. An argument
     /// that has no value because it is out of the range of integers matches nothing.
     ///
     /// # Errors
-    /// A path through `null` in an argument.
+    /// A path through `null` in an argument, or an integer that the variable that is bound to it does not take.
     pub fn matches(
         &self,
         body: &[usize],
@@ -62,8 +62,13 @@ impl<'a> Context<'a> {
                 ArgumentKind::Bind(name) => {
                     let declaration = self.scenario.variable(body, &name.text);
                     let (declared, ty) = declaration.ok_or(EvalError::Malformed(name.text.clone()))?;
+                    // A variable of a subclass takes only what fits; an integer out of its range is an error.
+                    let fits = self.spec.fits(value, ty);
+                    if !fits && matches!(value, Value::Int(_)) {
+                        return Err(EvalError::Range(value.to_string()));
+                    }
                     variables.insert((declared, name.text.clone()), value.clone());
-                    self.spec.fits(value, ty)
+                    fits
                 }
                 ArgumentKind::Value(expr) => match self.scope(body).value(expr) {
                     Ok(expected) => expected == *value,
@@ -77,6 +82,27 @@ impl<'a> Context<'a> {
             }
         }
         Ok(Some((roles, variables)))
+    }
+
+    /// The event is like a message that is not enabled, or like that of a constraint, which bind nothing: a path
+    /// through `null` matches nothing, and no error of values is one here.
+    ///
+    /// # Errors
+    /// The specification is not well formed.
+    pub fn is_like(&self, body: &[usize], message: &Message, event: &Event) -> Result<bool, EvalError> {
+        let without_binding = |argument: &Argument| Argument {
+            kind: match &argument.kind {
+                ArgumentKind::Any | ArgumentKind::Bind(_) => ArgumentKind::Any,
+                ArgumentKind::Value(expr) => ArgumentKind::Value(expr.clone()),
+            },
+            span: argument.span,
+        };
+        let arguments = message.arguments.iter().map(without_binding).collect();
+        match self.matches(body, &Message { arguments, ..message.clone() }, event) {
+            Ok(matched) => Ok(matched.is_some()),
+            Err(EvalError::Null(_)) => Ok(false),
+            Err(error) => Err(error),
+        }
     }
 
     /// Sender, receiver and operation are the message's: the roles after it.

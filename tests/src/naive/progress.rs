@@ -1,12 +1,12 @@
 //! How an active copy reacts to an event, and which new copies the event starts (section 3, steps 2 and 3).
 
-use super::cut::{BodyPath, Cut, Inside, extend, is_obligation, is_strict, messages};
+use super::cut::{Cut, FragmentPath, Inside, extend, is_obligation, is_strict, messages};
 use super::eval::{EvalError, names_in};
 use super::matching::Context;
 use super::spec::Spec;
 use super::state::{Attributes, Copy, Key, Roles, State, Variables};
 use super::value::Event;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use synth_core::syntax::ast::{
     ArgumentKind, Body, ConstraintKind, Expr, Fragment, FragmentKind, Message, ScenarioKind,
 };
@@ -20,8 +20,8 @@ pub enum Reaction {
     Moves {
         /// Where it stands then, not settled.
         copy: Copy,
-        /// The obligation that is met.
-        discharged: Option<Key>,
+        /// The message.
+        message: FragmentPath,
     },
     /// It is gone.
     Ends,
@@ -33,7 +33,7 @@ impl Spec {
     /// The reaction of a copy: the first row of the table that applies.
     ///
     /// # Errors
-    /// A path through `null` in an argument of a message at the cut or of a constraint in force.
+    /// A path through `null` in an argument of a message at the cut, or an integer that a variable does not take.
     pub fn progress(
         &self,
         attributes: &Attributes,
@@ -47,17 +47,16 @@ impl Spec {
         for (path, fragment) in &at_cut {
             let FragmentKind::Message(_, message) = &fragment.kind else { continue };
             if let Some((roles, variables)) = context.matches(&path[..path.len() - 1], message, event)? {
-                let discharged = is_obligation(fragment).then(|| self.key(copy, path, fragment));
                 let mut copy = Copy { roles, variables, ..copy.clone() };
                 copy.cut.pass_fragment(path);
-                return Ok(Reaction::Moves { copy, discharged });
+                return Ok(Reaction::Moves { copy, message: path.clone() });
             }
         }
 
         let constraints = copy.cut.constraints(body);
         let in_force = |kind| -> Result<bool, EvalError> {
             for (path, constraint) in constraints.iter().filter(|(_, constraint)| constraint.kind == kind) {
-                if context.matches(path, &constraint.message, event)?.is_some() {
+                if context.is_like(path, &constraint.message, event)? {
                     return Ok(true);
                 }
             }
@@ -73,15 +72,9 @@ impl Spec {
             return Ok(Reaction::Ends);
         }
 
-        let is_other_message =
-            |(path, message): &(BodyPath, &Message)| match context.matches(path, message, event) {
-                Ok(matched) => Ok(matched.is_some()),
-                Err(EvalError::Null(_)) => Ok(false),
-                Err(error) => Err(error),
-            };
         let mut concerned = in_force(ConstraintKind::Consider)?;
-        for message in &messages(body, false) {
-            concerned = concerned || is_other_message(message)?;
+        for (path, message) in &messages(body, false) {
+            concerned = concerned || context.is_like(path, message, event)?;
         }
         Ok(match (concerned, at_cut.iter().any(|(_, fragment)| is_strict(fragment))) {
             (false, _) => Reaction::Stays,
@@ -118,18 +111,18 @@ impl Spec {
         }
     }
 
+    /// The obligations of a copy: fragments at its cut, with their keys.
+    #[must_use]
+    pub fn obligations(&self, copy: &Copy) -> BTreeMap<FragmentPath, Key> {
+        let at_cut = copy.cut.fragments(&self.scenarios[copy.scenario].body).into_iter();
+        let obligations = at_cut.filter(|(_, fragment)| is_obligation(fragment));
+        obligations.map(|(path, fragment)| (path.clone(), self.key(copy, &path, fragment))).collect()
+    }
+
     /// The keys that are open in a state, all kinds of scenarios together.
     #[must_use]
     pub fn open(&self, state: &State) -> BTreeSet<Key> {
-        let mut open = BTreeSet::new();
-        for copy in &state.copies {
-            for (path, fragment) in copy.cut.fragments(&self.scenarios[copy.scenario].body) {
-                if is_obligation(fragment) {
-                    open.insert(self.key(copy, &path, fragment));
-                }
-            }
-        }
-        open
+        state.copies.iter().flat_map(|copy| self.obligations(copy).into_values()).collect()
     }
 
     /// The copies that an event starts, not settled: `before` are the attributes before its effects, `after` those after.
@@ -204,7 +197,7 @@ impl Spec {
         Ok(())
     }
 
-    /// Evaluates the `bindings` of a new copy; one that gives `null` leaves none.
+    /// Evaluates the `bindings` of a new copy; one that gives `null`, or contradicts the initial message, leaves none.
     ///
     /// # Errors
     /// A path through `null`.
@@ -212,7 +205,10 @@ impl Spec {
         for (role, expr) in &self.scenarios[copy.scenario].bindings {
             match Context::of(self, attributes, &copy).scope(&[]).value(expr)? {
                 super::Value::Object(object) => {
-                    copy.roles.insert(role.clone(), object);
+                    let bound = copy.roles.entry(role.clone()).or_insert_with(|| object.clone());
+                    if *bound != object {
+                        return Ok(None);
+                    }
                 }
                 super::Value::Null => return Ok(None),
                 other => return Err(EvalError::Malformed(format!("`{role}` bound to `{other}`"))),

@@ -1,13 +1,17 @@
 //! Settling (section 3, step 4): a copy makes silent moves, one at a time, the textually first one first, until
 //! there is none.
+//!
+//! Nested fragments are entered as soon as the cut reaches them: conditions of loops and cases are asked then, before any
+//! further silent move, and neither entering nor passing one decides an `alternative` around it. A case that is
+//! over as soon as it is entered ends its alternative.
 
-use super::cut::{Cut, Inside, extend, is_obligation, nested};
+use super::cut::{Cut, FragmentPath, Inside, bodies, extend, nested};
 use super::eval::EvalError;
 use super::matching::Context;
 use super::spec::Spec;
-use super::state::{Attributes, Copy, Key, Variables};
+use super::state::{Attributes, Copy, Variables};
 use std::collections::{BTreeMap, BTreeSet};
-use synth_core::syntax::ast::{Body, FragmentKind};
+use synth_core::syntax::ast::{Body, Fragment, FragmentKind};
 
 /// What has become of a copy.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -40,9 +44,7 @@ impl From<EvalError> for SettleError {
 enum Move {
     /// There is none.
     None,
-    /// A nested fragment was entered, which decides no alternative around it.
-    Entered,
-    /// A fragment was passed, which decides the alternatives around it.
+    /// A fragment was passed.
     Passed,
     /// An `interrupt` applies.
     Ended,
@@ -51,7 +53,7 @@ enum Move {
 }
 
 impl Spec {
-    /// Settles a copy; keys of the obligations that it meets on the way are added to `discharged`.
+    /// Settles a copy; the paths of the waits that it passes are added to `passed_waits`.
     ///
     /// # Errors
     /// See [`SettleError`].
@@ -59,167 +61,164 @@ impl Spec {
         &self,
         attributes: &Attributes,
         mut copy: Copy,
-        discharged: &mut BTreeSet<Key>,
+        passed_waits: &mut BTreeSet<FragmentPath>,
     ) -> Result<Settled, SettleError> {
         let body = &self.scenarios[copy.scenario].body;
         let mut seen = BTreeSet::new();
         loop {
+            let mut cut = std::mem::take(&mut copy.cut);
+            self.reach(attributes, &mut copy, body, &[], &mut cut)?;
+            copy.cut = cut;
+            if copy.cut.at_end(body) {
+                return Ok(Settled::Ended);
+            }
             if !seen.insert((copy.cut.clone(), copy.variables.clone())) {
                 return Err(SettleError::Loop);
             }
-            let mut cut = copy.cut.clone();
-            let made = self.silent_move(attributes, &mut copy, body, &[], &mut cut, discharged)?;
-            copy.cut = cut;
-            match made {
-                Move::None if copy.cut.at_end(body) => return Ok(Settled::Ended),
+            match self.silent_move(attributes, &mut copy, passed_waits)? {
                 Move::None => return Ok(Settled::Active(copy)),
-                Move::Entered | Move::Passed => {}
+                Move::Passed => {}
                 Move::Ended => return Ok(Settled::Ended),
                 Move::Violated => return Ok(Settled::Violated),
             }
         }
     }
 
-    /// Makes the textually first silent move in a body, whose cut is `cut`; of `copy` only variables change.
+    /// Makes the textually first silent move.
     fn silent_move(
+        &self,
+        attributes: &Attributes,
+        copy: &mut Copy,
+        passed_waits: &mut BTreeSet<FragmentPath>,
+    ) -> Result<Move, EvalError> {
+        let scenario = &self.scenarios[copy.scenario];
+        for (path, fragment) in copy.cut.fragments(&scenario.body) {
+            let body = &path[..path.len() - 1];
+            let context = Context::of(self, attributes, copy);
+            let scope = context.scope(body);
+            match &fragment.kind {
+                FragmentKind::Wait { condition, .. } => {
+                    if !scope.condition(condition)? {
+                        continue;
+                    }
+                    passed_waits.insert(path.clone());
+                }
+                FragmentKind::Interrupt(condition) => {
+                    if scope.condition(condition)? {
+                        return Ok(Move::Ended);
+                    }
+                }
+                FragmentKind::Violation(condition) => {
+                    if scope.condition(condition)? {
+                        return Ok(Move::Violated);
+                    }
+                }
+                FragmentKind::Variable(_, _, None) => {}
+                FragmentKind::Variable(_, name, Some(expr)) | FragmentKind::Assignment(name, expr) => {
+                    let unknown = || EvalError::Malformed(format!("no variable `{}`", name.text));
+                    let (declared, ty) = scenario.variable(body, &name.text).ok_or_else(unknown)?;
+                    let value = scope.value_of_type(expr, ty)?;
+                    copy.variables.insert((declared, name.text.clone()), value);
+                }
+                _ => continue,
+            }
+            copy.cut.pass_fragment(&path);
+            return Ok(Move::Passed);
+        }
+        Ok(Move::None)
+    }
+
+    /// Moves the cut of a body on until it stands before messages and silent fragments, or at the end of the body:
+    /// enters what it has reached, and leaves what is over.
+    fn reach(
         &self,
         attributes: &Attributes,
         copy: &mut Copy,
         body: &Body,
         path: &[usize],
         cut: &mut Cut,
-        discharged: &mut BTreeSet<Key>,
-    ) -> Result<Move, EvalError> {
-        let Some(fragment) = body.fragments.get(cut.next) else { return Ok(Move::None) };
-        let here = extend(path, &[cut.next]);
-        let context = Context::of(self, attributes, copy);
-        let scope = context.scope(path);
-        match &fragment.kind {
-            FragmentKind::Message(..) => Ok(Move::None),
-            FragmentKind::Wait { condition, .. } => {
-                if !scope.condition(condition)? {
-                    return Ok(Move::None);
-                }
-                if is_obligation(fragment) {
-                    discharged.insert(self.key(copy, &here, fragment));
-                }
-                Ok(passed(cut))
+    ) -> Result<(), EvalError> {
+        while let Some(fragment) = body.fragments.get(cut.next) {
+            if bodies(fragment).next().is_none() {
+                return Ok(());
             }
-            FragmentKind::Interrupt(condition) if scope.condition(condition)? => Ok(Move::Ended),
-            FragmentKind::Violation(condition) if scope.condition(condition)? => Ok(Move::Violated),
-            FragmentKind::Interrupt(_) | FragmentKind::Violation(_) | FragmentKind::Variable(_, _, None) => {
-                Ok(passed(cut))
-            }
-            FragmentKind::Variable(ty, name, Some(expr)) => {
-                let value = scope.value_of_type(expr, ty)?;
-                copy.variables.insert((path.to_vec(), name.text.clone()), value);
-                Ok(passed(cut))
-            }
-            FragmentKind::Assignment(name, expr) => {
-                let declaration = self.scenarios[copy.scenario].variable(path, &name.text);
-                let (declared, ty) = declaration
-                    .ok_or_else(|| EvalError::Malformed(format!("no variable `{}`", name.text)))?;
-                let value = scope.value_of_type(expr, ty)?;
-                copy.variables.insert((declared, name.text.clone()), value);
-                Ok(passed(cut))
-            }
-            FragmentKind::Body(_)
-            | FragmentKind::While(..)
-            | FragmentKind::Alternative(_)
-            | FragmentKind::Parallel(_) => {
-                if cut.inside == Inside::Before {
-                    return enter(&context, path, &fragment.kind, cut);
-                }
-                let mut inside = std::mem::take(&mut cut.inside);
-                let inner_move = |index: usize, cut: &mut Cut| -> Result<Inner, EvalError> {
-                    let Some(inner) = nested(fragment, index) else { return Ok(Inner::Finished) };
-                    let inner_path = extend(&here, &[index]);
-                    let made = self.silent_move(attributes, copy, inner, &inner_path, cut, discharged)?;
-                    if !cut.at_end(inner) {
-                        return Ok(Inner::Open(made));
+            let fresh = cut.inside == Inside::Before;
+            if fresh {
+                let context = Context::of(self, attributes, copy);
+                match enter(&context, path, &fragment.kind)? {
+                    Some(inside) => cut.inside = inside,
+                    None => {
+                        cut.pass();
+                        continue;
                     }
-                    leave(&mut copy.variables, &inner_path);
-                    Ok(if made == Move::None { Inner::Finished } else { Inner::Open(made) })
-                };
-                let made = move_inside(&mut inside, inner_move)?;
-                Ok(match made {
-                    // The end of a loop's body is where its condition is asked again: before the loop.
-                    Inner::Finished if matches!(fragment.kind, FragmentKind::While(..)) => Move::Passed,
-                    Inner::Finished => passed(cut),
-                    Inner::Open(made) => {
-                        cut.inside = inside;
-                        made
-                    }
-                })
+                }
+            }
+            let here = extend(path, &[cut.next]);
+            if !self.is_over(attributes, copy, fragment, &here, &mut cut.inside)? {
+                return Ok(());
+            }
+            if matches!(fragment.kind, FragmentKind::While(..)) && !fresh {
+                // The condition is asked again.
+                cut.inside = Inside::Before;
+            } else {
+                cut.pass();
             }
         }
+        Ok(())
+    }
+
+    /// Moves the cuts inside a fragment on; whether there is nothing left to do in it.
+    fn is_over(
+        &self,
+        attributes: &Attributes,
+        copy: &mut Copy,
+        fragment: &Fragment,
+        path: &[usize],
+        inside: &mut Inside,
+    ) -> Result<bool, EvalError> {
+        let mut ended = |index: usize, cut: &mut Cut| -> Result<bool, EvalError> {
+            let Some(body) = nested(fragment, index) else { return Ok(true) };
+            let path = extend(path, &[index]);
+            self.reach(attributes, copy, body, &path, cut)?;
+            if cut.at_end(body) {
+                leave(&mut copy.variables, &path);
+            }
+            Ok(cut.at_end(body))
+        };
+        // Every inner cut moves on, whatever the others do.
+        let mut ends = Vec::new();
+        match inside {
+            Inside::Before => {}
+            Inside::Body(index, cut) => ends.push(ended(*index, cut)?),
+            Inside::Undecided(cases) => {
+                for (&index, cut) in cases.iter_mut() {
+                    ends.push(ended(index, cut)?);
+                }
+            }
+            Inside::Branches(branches) => {
+                for (index, cut) in branches.iter_mut().enumerate() {
+                    ends.push(ended(index, cut)?);
+                }
+            }
+        }
+        let is_undecided = matches!(inside, Inside::Undecided(_));
+        Ok(if is_undecided { ends.contains(&true) } else { !ends.contains(&false) })
     }
 }
 
-/// What has happened inside a fragment.
-enum Inner {
-    /// Nothing, and there is nothing left to do in it.
-    Finished,
-    /// A move, or nothing while it waits.
-    Open(Move),
-}
-
-/// Makes the first move inside a nested fragment that has been entered.
-fn move_inside(
-    inside: &mut Inside,
-    mut inner_move: impl FnMut(usize, &mut Cut) -> Result<Inner, EvalError>,
-) -> Result<Inner, EvalError> {
-    match inside {
-        Inside::Before => Ok(Inner::Open(Move::None)),
-        Inside::Body(index, cut) => inner_move(*index, cut),
-        Inside::Undecided(cases) => {
-            for (&index, cut) in cases.iter_mut() {
-                match inner_move(index, cut)? {
-                    Inner::Open(Move::None) => {}
-                    Inner::Open(Move::Passed) => {
-                        let cut = std::mem::take(cut);
-                        *inside = Inside::Body(index, Box::new(cut));
-                        return Ok(Inner::Open(Move::Passed));
-                    }
-                    // A case without fragments is over at once: leaving it decides for it.
-                    made => return Ok(made),
-                }
-            }
-            Ok(Inner::Open(Move::None))
-        }
-        Inside::Branches(branches) => {
-            let mut finished = true;
-            for (index, cut) in branches.iter_mut().enumerate() {
-                match inner_move(index, cut)? {
-                    Inner::Finished => {}
-                    Inner::Open(Move::None) => finished = false,
-                    made @ Inner::Open(_) => return Ok(made),
-                }
-            }
-            Ok(if finished { Inner::Finished } else { Inner::Open(Move::None) })
-        }
-    }
-}
-
-fn passed(cut: &mut Cut) -> Move {
-    cut.pass();
-    Move::Passed
-}
-
-/// Enters a nested fragment, or passes it.
+/// Where the cut stands when it reaches a nested fragment; `None` when it passes it.
 fn enter(
     context: &Context<'_>,
     path: &[usize],
     fragment: &FragmentKind,
-    cut: &mut Cut,
-) -> Result<Move, EvalError> {
+) -> Result<Option<Inside>, EvalError> {
     let scope = context.scope(path);
     let holds = |condition: &Option<_>| match condition {
         Some(condition) => scope.condition(condition),
         None => Ok(true),
     };
-    let inside = match fragment {
-        FragmentKind::While(condition, _) if !holds(condition)? => return Ok(passed(cut)),
+    Ok(match fragment {
+        FragmentKind::While(condition, _) if !holds(condition)? => None,
         FragmentKind::Alternative(cases) => {
             let mut offered = BTreeMap::new();
             for (index, case) in cases.iter().enumerate() {
@@ -228,16 +227,14 @@ fn enter(
                 }
             }
             match (offered.len(), offered.first_key_value()) {
-                (1, Some((&index, _))) => Inside::Body(index, Box::default()),
-                (0, _) => return Ok(passed(cut)),
-                _ => Inside::Undecided(offered),
+                (0, _) => None,
+                (1, Some((&index, _))) => Some(Inside::Body(index, Box::default())),
+                _ => Some(Inside::Undecided(offered)),
             }
         }
-        FragmentKind::Parallel(branches) => Inside::Branches(vec![Cut::default(); branches.len()]),
-        _ => Inside::Body(0, Box::default()),
-    };
-    cut.inside = inside;
-    Ok(Move::Entered)
+        FragmentKind::Parallel(branches) => Some(Inside::Branches(vec![Cut::default(); branches.len()])),
+        _ => Some(Inside::Body(0, Box::default())),
+    })
 }
 
 /// Unsets the variables of a body that the cut has left.

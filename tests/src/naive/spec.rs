@@ -313,31 +313,32 @@ impl Spec {
         Some(vec![(attribute, ty)])
     }
 
-    /// The values over which a parameter is expanded: those of its type that lie in all ranges given for it.
+    /// The values that `parameter ranges` give a parameter, all entries together; `None` without one.
+    fn given_range(&self, receiver: &str, operation: &str, parameter: &str) -> Option<BTreeSet<Value>> {
+        let given: Vec<&Vec<Value>> = self
+            .ranges
+            .iter()
+            .filter(|(class, name, of, _)| {
+                name == operation && of == parameter && self.is_instance(receiver, class)
+            })
+            .map(|(.., values)| values)
+            .collect();
+        (!given.is_empty()).then(|| given.into_iter().flatten().cloned().collect())
+    }
+
+    /// The values over which a parameter is expanded: its range, or its whole type.
     #[must_use]
     pub fn range(&self, receiver: &str, operation: &str, parameter: &str, ty: &Type) -> Vec<Value> {
-        let mut values = self.values_of(ty);
-        for (class, name, of, range) in &self.ranges {
-            if name == operation && of == parameter && self.is_instance(receiver, class) {
-                // A range may name `null`, which the whole type leaves out.
-                if range.contains(&Value::Null) && !values.contains(&Value::Null) {
-                    values.push(Value::Null);
-                }
-                values.retain(|value| range.contains(value));
-            }
+        match self.given_range(receiver, operation, parameter) {
+            Some(values) => values.into_iter().collect(),
+            None => self.values_of(ty),
         }
-        values
     }
 
     /// Whether a range is given for the parameter that does not contain the value.
     #[must_use]
     pub fn is_outside_range(&self, receiver: &str, operation: &str, parameter: &str, value: &Value) -> bool {
-        self.ranges.iter().any(|(class, name, of, range)| {
-            name == operation
-                && of == parameter
-                && self.is_instance(receiver, class)
-                && !range.contains(value)
-        })
+        self.given_range(receiver, operation, parameter).is_some_and(|values| !values.contains(value))
     }
 
     /// Whether the system sends what this object sends.

@@ -79,11 +79,14 @@ impl Spec {
         // 2. Progress, which looks at the state before the effects.
         let mut unsettled = Vec::new();
         for copy in &state.copies {
+            // What a copy owes in this state is discharged when it passes it now; what it comes to and passes within
+            // the step was never open.
+            let mut owed = self.obligations(copy);
             match self.progress(before, copy, event) {
-                Ok(Reaction::Stays) => unsettled.push(copy.clone()),
-                Ok(Reaction::Moves { copy, discharged: key }) => {
-                    unsettled.push(copy);
-                    discharged.extend(key);
+                Ok(Reaction::Stays) => unsettled.push((copy.clone(), owed)),
+                Ok(Reaction::Moves { copy, message }) => {
+                    discharged.extend(owed.remove(&message));
+                    unsettled.push((copy, owed));
                 }
                 Ok(Reaction::Ends) => {}
                 Ok(Reaction::Violates) => {
@@ -96,7 +99,9 @@ impl Spec {
         // 3. Activation.
         if errors.is_empty() {
             match self.activate(before, &after, event) {
-                Ok(started) => unsettled.extend(started),
+                Ok(started) => {
+                    unsettled.extend(started.into_iter().map(|copy| (copy, BTreeMap::new())));
+                }
                 Err(error) => errors.push(error.into()),
             }
         }
@@ -104,9 +109,12 @@ impl Spec {
         // 4. Settling.
         let mut copies = BTreeSet::new();
         if errors.is_empty() {
-            for copy in unsettled {
+            for (copy, mut owed) in unsettled {
                 let scenario = copy.scenario;
-                match self.settle(&after, copy, &mut discharged) {
+                let mut passed_waits = BTreeSet::new();
+                let settled = self.settle(&after, copy, &mut passed_waits);
+                discharged.extend(passed_waits.iter().filter_map(|wait| owed.remove(wait)));
+                match settled {
                     Ok(Settled::Active(copy)) => {
                         copies.insert(copy);
                     }

@@ -10,7 +10,7 @@ use super::step::{PlayError, Step};
 use super::value::{Event, Value};
 use std::collections::{BTreeMap, BTreeSet};
 use synth_core::syntax::ast::{
-    Argument, ArgumentKind, Fragment, FragmentKind, Message, Modality, ScenarioKind,
+    Argument, ArgumentKind, Fragment, FragmentKind, Message, Modality, ScenarioKind, TypeKind,
 };
 
 /// What happens when the system breaks an assumption, and when the environment may be silent.
@@ -253,7 +253,14 @@ impl Spec {
                 Ok(value) => vec![value],
                 Err(_) => all,
             },
-            _ => all,
+            // What a variable of a subclass does not take is not this message.
+            ArgumentKind::Bind(name) => match context.scenario.variable(body, &name.text) {
+                Some((_, ty)) if matches!(ty.kind, TypeKind::Named(_)) => {
+                    all.into_iter().filter(|value| self.fits(value, ty)).collect()
+                }
+                _ => all,
+            },
+            ArgumentKind::Any => all,
         };
         let arguments = product(self.argument_values(event, message, values));
         Ok(arguments.into_iter().map(|arguments| Event { arguments, ..event.clone() }).collect())

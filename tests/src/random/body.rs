@@ -263,10 +263,10 @@ impl Writer<'_> {
         let cases: Vec<String> = (0..count)
             .map(|_| {
                 let guard = self.guard(known, 40);
-                let body = if self.random.chance(80) {
-                    self.inner(known, Self::own_message)
-                } else {
-                    self.inner(known, Self::fragment)
+                let body = match self.random.below(20) {
+                    0 => "{ }".to_string(),
+                    1..=4 => self.inner(known, Self::fragment),
+                    _ => self.inner(known, Self::own_message),
                 };
                 format!("{guard}{body}")
             })
@@ -285,6 +285,8 @@ impl Writer<'_> {
             self.world.inputs.iter().chain(&self.world.outputs).filter_map(|each| each.parameter);
         let types: Vec<Ty> = parameters.chain(self.world.attributes.iter().map(|each| each.ty)).collect();
         let ty = if types.is_empty() { Ty::Bool } else { *self.random.pick(&types) };
+        let narrow = ty == Ty::Dev && self.world.devices.contains(&"sub") && self.random.chance(40);
+        let ty = if narrow { Ty::Sub } else { ty };
         let is_set = self.random.chance(40);
         let value = if is_set { format!(" = {}", self.value(known, ty)) } else { String::new() };
         known.variables.push(Variable { name: name.clone(), ty, is_set });
@@ -422,7 +424,7 @@ impl Writer<'_> {
     fn argument(&mut self, known: &mut Known, ty: Ty, may_bind: bool) -> String {
         let begun = known.begun;
         let fitting: Vec<usize> =
-            (0..known.variables.len()).filter(|&index| known.variables[index].ty == ty).collect();
+            (0..known.variables.len()).filter(|&index| ty.takes(known.variables[index].ty)).collect();
         if may_bind && !fitting.is_empty() && self.random.chance(50) {
             let variable = &mut known.variables[*self.random.pick(&fitting)];
             variable.is_set = true;
@@ -440,13 +442,20 @@ impl Writer<'_> {
     fn value(&mut self, known: &Known, ty: Ty) -> String {
         let mut choices = vec![self.world.literal(self.random, ty)];
         choices.extend(
-            known.variables.iter().filter(|each| each.is_set && each.ty == ty).map(|each| each.name.clone()),
+            known
+                .variables
+                .iter()
+                .filter(|each| each.is_set && ty.takes(each.ty))
+                .map(|each| each.name.clone()),
         );
         if let Some(attribute) = self.world.attributes.iter().find(|attribute| attribute.ty == ty) {
             choices.push(format!("{}.{}", self.owner(known), attribute.name));
         }
         if ty == Ty::Dev && known.begun {
             choices.extend(known.bound.iter().map(ToString::to_string));
+        }
+        if ty == Ty::Sub && known.begun && known.bound.contains("special") {
+            choices.push("special".to_string());
         }
         self.random.pick(&choices).clone()
     }

@@ -13,15 +13,23 @@ pub(super) enum Ty {
     Mode,
     /// A device, never `null` unless errors are wanted.
     Dev,
+    /// A device of the subclass, for variables only.
+    Sub,
 }
 
 impl Ty {
+    /// Whether a place of this type takes what has the other one.
+    pub(super) fn takes(self, other: Ty) -> bool {
+        self == other || (self == Ty::Dev && other == Ty::Sub)
+    }
+
     pub(super) fn text(self) -> &'static str {
         match self {
             Ty::Bool => "bool",
             Ty::Int => "0..=2",
             Ty::Mode => "Mode",
             Ty::Dev => "Dev",
+            Ty::Sub => "Sub",
         }
     }
 }
@@ -110,6 +118,7 @@ impl World {
             Ty::Int => random.below(3).to_string(),
             Ty::Mode => random.pick(&["red", "green", "blue", "Mode:red"]).to_string(),
             Ty::Dev => random.pick(&self.devices).to_string(),
+            Ty::Sub => "sub".to_string(),
         }
     }
 

@@ -19,6 +19,7 @@ use quote::quote;
 
 use self::idents::Idents;
 use crate::controller::tables::{FORMAT_VERSION, Tables};
+use crate::emit::st::{ComponentNames, NameMap};
 
 /// What is emitted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -66,6 +67,29 @@ pub fn text(tables: &Tables, options: &Options) -> String {
     let file = syn::parse2(module).expect("generated items are Rust");
     let formatted = prettyplease::unparse(&file).replace(STAND_IN, "::controller_template::names! {");
     format!("{}{}", header(tables), layout::tidy(&formatted))
+}
+
+/// What events, components and codes are called in the module: an event by its variant of `Event`, a component by its
+/// field of `Commands`.
+#[must_use]
+pub fn name_map(tables: &Tables) -> NameMap {
+    let Idents { module, events, components } = Idents::new(tables);
+    let inputs = tables.events.iter().zip(events);
+    let outputs = tables.components.iter().zip(components);
+    NameMap {
+        target: "rust",
+        function_block: format!("{module}::Controller"),
+        program: module.to_string(),
+        state: "state".to_owned(),
+        events: inputs.map(|(table, names)| (table.event.text.clone(), names.variant.to_string())).collect(),
+        components: outputs
+            .map(|(table, names)| ComponentNames {
+                object: table.object.clone(),
+                output: names.field.to_string(),
+                codes: table.commands.iter().map(|command| command.text.clone()).zip(1..).collect(),
+            })
+            .collect(),
+    }
 }
 
 fn items(tables: &Tables, idents: &Idents, options: &Options) -> TokenStream {

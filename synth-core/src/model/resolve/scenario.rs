@@ -229,7 +229,9 @@ impl Builder<'_> {
         let span = fragment.span;
         match &fragment.kind {
             ast::FragmentKind::Body(body) => Some(self.body(body, parent)),
-            ast::FragmentKind::Message(modifier, message) => self.message_node(*modifier, message, parent),
+            ast::FragmentKind::Message(modifier, message) => {
+                self.message_node(*modifier, message, parent, span)
+            }
             ast::FragmentKind::Alternative(cases) => Some(self.alternative(cases, parent, span)),
             ast::FragmentKind::Parallel(branches) => Some(self.parallel(branches, parent, span)),
             ast::FragmentKind::While(condition, body) => {
@@ -367,6 +369,7 @@ impl Builder<'_> {
         modifier: ast::Modifier,
         message: &ast::Message,
         parent: NodeId,
+        span: Span,
     ) -> Option<NodeId> {
         let is_initial = self.initial.contains(&message.span);
         let resolved = self.message(message)?;
@@ -401,7 +404,7 @@ impl Builder<'_> {
             modality: modifier.modality,
             message: resolved,
         };
-        let id = self.push(parent, kind, message.span);
+        let id = self.push(parent, kind, span);
         if is_initial {
             self.initial_nodes.push(id);
             self.bind_roles_of_bindings();

@@ -1,0 +1,177 @@
+//! `sml check`: verdict, figures, warnings, and why a specification is not realizable.
+
+use crate::failure::{Exit, Failure};
+use crate::options::Format;
+use crate::output;
+use crate::session::Session;
+use serde::Serialize;
+use serde_json::Value as Json;
+use std::path::PathBuf;
+use synth_core::controller::Level;
+use synth_core::diagnostic::{Diagnostic, Severity, render, to_json};
+use synth_core::existential::Existential;
+use synth_core::explain::{Explanation, explain};
+use synth_core::model::{Kind, Spec};
+use synth_core::pipeline::{Figures, Solved};
+use synth_core::syntax::Loaded;
+
+/// Arguments of `sml check`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// The specification; `-` is stdin
+    file: PathBuf,
+    /// Fail if there is a warning
+    #[arg(long)]
+    deny_warnings: bool,
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    version: u32,
+    realizable: bool,
+    states: usize,
+    transitions: usize,
+    system_states: usize,
+    environment_states: usize,
+    yielded_states: usize,
+    idle_states: usize,
+    winning_states: usize,
+    assumption_sets: usize,
+    guarantee_sets: usize,
+    existential: Vec<Scenario<'a>>,
+    diagnostics: Json,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    explanation: Option<Because<'a>>,
+}
+
+#[derive(Serialize)]
+struct Scenario<'a> {
+    scenario: &'a str,
+    reachable: bool,
+    possible: bool,
+    witness: &'a [String],
+}
+
+#[derive(Serialize)]
+struct Because<'a> {
+    cause: &'a str,
+    scenarios: &'a [String],
+    play: &'a [String],
+    r#loop: &'a [String],
+}
+
+/// All that there is to say.
+struct Report {
+    figures: Figures,
+    existential: Vec<Existential>,
+    diagnostics: Vec<Diagnostic>,
+    explanation: Option<Explanation>,
+}
+
+pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
+    let loaded = session.load(&arguments.file)?;
+    let spec = session.specification(&loaded)?;
+    let mut solved = session.solve(&loaded, &spec)?;
+    let report = examine(&loaded, &spec, &mut solved, session)?;
+    output::print(&match session.format() {
+        Format::Json => json(&report, &loaded),
+        Format::Text => text(&report, &spec, &loaded, session.color(&std::io::stdout())),
+    })?;
+    let denied =
+        arguments.deny_warnings && report.diagnostics.iter().any(|d| d.severity == Severity::Warning);
+    Ok(if report.figures.realizable && !denied { Exit::Done } else { Exit::No })
+}
+
+fn examine(
+    loaded: &Loaded,
+    spec: &Spec,
+    solved: &mut Solved<'_>,
+    session: &mut Session,
+) -> Result<Report, Failure> {
+    let explanation = session.stage("explain", || explain(solved));
+    let mut diagnostics: Vec<Diagnostic> = explanation.iter().map(Explanation::diagnostic).collect();
+    let existential = if spec.scenarios.iter().any(|scenario| scenario.kind == Kind::Existential) {
+        let controller = if explanation.is_none() {
+            match session.synthesize(loaded, solved, Level::default()) {
+                Ok(verified) => Some(verified.controller),
+                Err(failure) => {
+                    diagnostics.extend(failure.wrong()?);
+                    None
+                }
+            }
+        } else {
+            None
+        };
+        session.existential(loaded, spec, solved, controller.as_ref())?
+    } else {
+        Vec::new()
+    };
+    Ok(Report { figures: solved.figures(), existential, diagnostics, explanation })
+}
+
+fn json(report: &Report, loaded: &Loaded) -> String {
+    let Report { figures, existential, diagnostics, explanation } = report;
+    let document = Document {
+        version: 1,
+        realizable: figures.realizable,
+        states: figures.states,
+        transitions: figures.transitions,
+        system_states: figures.system_states,
+        environment_states: figures.environment_states,
+        yielded_states: figures.yielded_states,
+        idle_states: figures.idle_states,
+        winning_states: figures.winning_states,
+        assumption_sets: figures.assumption_sets,
+        guarantee_sets: figures.guarantee_sets,
+        existential: existential.iter().map(scenario).collect(),
+        diagnostics: to_json(diagnostics, &loaded.sources),
+        explanation: explanation.as_ref().map(because),
+    };
+    format!("{}\n", serde_json::to_string(&document).expect("strings and numbers always serialize"))
+}
+
+fn scenario(existential: &Existential) -> Scenario<'_> {
+    let Existential { scenario, reachable, possible, witness } = existential;
+    Scenario { scenario, reachable: *reachable, possible: *possible, witness }
+}
+
+fn because(explanation: &Explanation) -> Because<'_> {
+    let Explanation { cause, scenarios, play, cycle, .. } = explanation;
+    Because { cause: cause.as_str(), scenarios, play, r#loop: cycle }
+}
+
+/// The diagnostics hold the explanation, too.
+fn text(report: &Report, spec: &Spec, loaded: &Loaded, color: bool) -> String {
+    let Report { figures, existential, diagnostics, .. } = report;
+    let mut text = render(diagnostics, &loaded.sources, color);
+    text.push_str(&format!(
+        "{}: {}\n",
+        spec.name,
+        if figures.realizable { "realizable" } else { "not realizable" }
+    ));
+    for (name, count) in [
+        ("states", figures.states),
+        ("transitions", figures.transitions),
+        ("system states", figures.system_states),
+        ("environment states", figures.environment_states),
+        ("yielded states", figures.yielded_states),
+        ("idle states", figures.idle_states),
+        ("winning states", figures.winning_states),
+        ("assumption sets", figures.assumption_sets),
+        ("guarantee sets", figures.guarantee_sets),
+    ] {
+        text.push_str(&format!("  {name:<18} {count:>10}\n"));
+    }
+    for Existential { scenario, reachable, possible, witness } in existential {
+        let verdict = match (reachable, possible) {
+            (true, _) => "happens in the controlled system",
+            (false, true) => "can happen in some winning play, but not with this controller",
+            (false, false) => "can happen in no winning play",
+        };
+        text.push_str(&format!("`{scenario}` {verdict}\n"));
+        if !witness.is_empty() {
+            text.push_str(&format!("  for example:\n    {}\n", witness.join("\n    ")));
+        }
+    }
+    text
+}

@@ -1,0 +1,185 @@
+//! `sml export`: the controller in the language of a target.
+
+use crate::failure::{Exit, Failure, nowhere};
+use crate::options::Minimize;
+use crate::session::Session;
+use crate::{input, output};
+use clap::ValueEnum;
+use std::fmt;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use synth_core::controller::Controller;
+use synth_core::controller::json::to_json;
+use synth_core::controller::tables::Tables;
+use synth_core::diagnostic::Code;
+use synth_core::emit::{dot, mermaid, rust, st};
+use synth_core::pipeline::provenance;
+
+/// Arguments of `sml export`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// The specification; `-` is stdin
+    file: PathBuf,
+    /// What to write
+    #[arg(long, value_name = "T")]
+    target: Target,
+    /// Where to write; stdout otherwise
+    #[arg(short, long, value_name = "PATH")]
+    output: Option<PathBuf>,
+    /// Write nothing; fail if PATH is not what would be written
+    #[arg(long, requires = "output")]
+    check: bool,
+    /// Also write missing templates of secondaries (not supported yet)
+    #[arg(long, value_name = "DIR")]
+    templates: Option<PathBuf>,
+    #[command(flatten)]
+    minimize: Minimize,
+    #[command(flatten)]
+    text: StructuredText,
+}
+
+/// Options of Structured Text.
+#[derive(Debug, clap::Args)]
+struct StructuredText {
+    /// Structured Text: an input raises its event when it becomes TRUE, or in every call in which it is
+    #[arg(long, value_enum)]
+    trigger: Option<Trigger>,
+    /// Structured Text: what becomes of events that fit nowhere
+    #[arg(long, value_enum)]
+    unexpected: Option<Unexpected>,
+    /// Structured Text: the integer types of states
+    #[arg(long, value_enum)]
+    integers: Option<Integers>,
+    /// Structured Text: a call does all super steps that are due, up to a second command to a component
+    #[arg(long)]
+    drain: bool,
+}
+
+/// What can be written; most are to come.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub(crate) enum Target {
+    Rust,
+    Iec,
+    Codesys,
+    Twincat,
+    Siemens,
+    Case,
+    Plcopen,
+    Ladder,
+    Il,
+    Dot,
+    Mermaid,
+    Svg,
+    Html,
+    Json,
+}
+
+impl fmt::Display for Target {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.to_possible_value().as_ref().map_or("", |value| value.get_name()))
+    }
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Trigger {
+    Edge,
+    Level,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Unexpected {
+    Keep,
+    Drop,
+    Fault,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Integers {
+    Unsigned,
+    Signed,
+}
+
+/// Makes the text of a target, or says why the target cannot hold the controller.
+type Writer = fn(&Tables, &Controller, &st::Options) -> Result<String, String>;
+
+pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
+    let write = writer(arguments.target)?;
+    if arguments.target != Target::Iec && arguments.text.is_given() {
+        return Err(Failure::usage(format!(
+            "options of Structured Text mean nothing to target `{}`",
+            arguments.target
+        )));
+    }
+    if arguments.templates.is_some() {
+        return Err(Failure::unsupported("--templates"));
+    }
+    let level = arguments.minimize.level().map_err(Failure::unsupported)?;
+    output::refuse_input(arguments.output.as_deref(), &arguments.file)?;
+    let loaded = session.load(&arguments.file)?;
+    let spec = session.specification(&loaded)?;
+    let mut solved = session.solve(&loaded, &spec)?;
+    let controller = session.synthesize(&loaded, &mut solved, level)?.controller;
+    let tables = Tables::new(&spec.name, &controller, provenance(&loaded, &spec));
+    let text = session
+        .stage("emit", || write(&tables, &controller, &arguments.text.options()))
+        .map_err(|why| Failure::new(Exit::Wrong, nowhere(Code::Unfit, why)))?;
+    match &arguments.output {
+        Some(path) if arguments.check => compare(path, &text, arguments)?,
+        path => output::product(path.as_deref(), &text)?,
+    }
+    Ok(Exit::Done)
+}
+
+fn writer(target: Target) -> Result<Writer, Failure> {
+    Ok(match target {
+        Target::Rust => |tables, _, _| Ok(rust::text(tables, &rust::Options::default())),
+        Target::Iec => |tables, _, options| st::text(tables, options).map_err(|unfit| unfit.to_string()),
+        Target::Dot => |tables, _, _| Ok(dot::text(tables)),
+        Target::Mermaid => |tables, _, _| Ok(mermaid::text(tables)),
+        Target::Json => |_, controller, _| Ok(to_json(controller)),
+        other => return Err(Failure::unsupported(&format!("--target {other}"))),
+    })
+}
+
+/// `--check`: whether the file holds `text` already.
+fn compare(path: &Path, text: &str, arguments: &Arguments) -> Result<(), Failure> {
+    let shown = path.display().to_string();
+    let what = match std::fs::read(path) {
+        Ok(bytes) if bytes == text.as_bytes() => return Ok(()),
+        Ok(_) => "is stale",
+        Err(error) if error.kind() == ErrorKind::NotFound => "is missing",
+        Err(error) => return Err(Failure::unreadable(&shown, &error)),
+    };
+    let help = format!(
+        "run `sml export {} --target {} -o {shown}` with the same options",
+        input::name(&arguments.file),
+        arguments.target
+    );
+    Err(Failure::new(Exit::No, nowhere(Code::Stale, format!("`{shown}` {what}")).help(help)))
+}
+
+impl StructuredText {
+    fn is_given(&self) -> bool {
+        self.trigger.is_some() || self.unexpected.is_some() || self.integers.is_some() || self.drain
+    }
+
+    fn options(&self) -> st::Options {
+        st::Options {
+            target: st::Target::Iec,
+            trigger: match self.trigger {
+                Some(Trigger::Level) => st::Trigger::Level,
+                Some(Trigger::Edge) | None => st::Trigger::Edge,
+            },
+            integers: match self.integers {
+                Some(Integers::Signed) => st::Integers::Signed,
+                Some(Integers::Unsigned) | None => st::Integers::Unsigned,
+            },
+            drain: self.drain,
+            unexpected: match self.unexpected {
+                Some(Unexpected::Drop) => st::Unexpected::Drop,
+                Some(Unexpected::Fault) => st::Unexpected::Fault,
+                Some(Unexpected::Keep) | None => st::Unexpected::Keep,
+            },
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! `sml names`: what generated code calls events, components and codes.
+
+use crate::failure::{Exit, Failure};
+use crate::output;
+use crate::session::Session;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use synth_core::controller::interface;
+use synth_core::controller::tables::Tables;
+use synth_core::emit::{rust, st};
+use synth_core::pipeline::{alphabet, provenance};
+
+/// Arguments of `sml names`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// The specification; `-` is stdin
+    file: PathBuf,
+    /// Whose names
+    #[arg(long, value_name = "T")]
+    target: super::export::Target,
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    version: u32,
+    target: &'a str,
+    function_block: &'a str,
+    program: &'a str,
+    state: &'a str,
+    events: Vec<Event<'a>>,
+    components: Vec<Component<'a>>,
+}
+
+#[derive(Serialize)]
+struct Event<'a> {
+    event: &'a str,
+    input: &'a str,
+}
+
+#[derive(Serialize)]
+struct Component<'a> {
+    object: &'a str,
+    output: &'a str,
+    codes: BTreeMap<&'a str, u32>,
+}
+
+pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
+    use super::export::Target;
+    let name_map: fn(&Tables) -> st::NameMap = match arguments.target {
+        Target::Iec => |tables| st::names(tables, &st::Options::default()),
+        Target::Rust => rust::name_map,
+        Target::Json | Target::Dot | Target::Mermaid => {
+            return Err(Failure::usage(format!("target `{}` gives nothing a name", arguments.target)));
+        }
+        other => return Err(Failure::unsupported(&format!("--target {other}"))),
+    };
+    let loaded = session.load(&arguments.file)?;
+    let spec = session.specification(&loaded)?;
+    let explored = session.explore(&loaded, &spec)?;
+    // Names come from the whole graph, so there is no need to know who wins.
+    let controller = interface(&explored.game, &alphabet(&explored.playout));
+    let names = name_map(&Tables::new(&spec.name, &controller, provenance(&loaded, &spec)));
+    output::print(&json(&names))?;
+    Ok(Exit::Done)
+}
+
+fn json(names: &st::NameMap) -> String {
+    let document = Document {
+        version: 1,
+        target: names.target,
+        function_block: &names.function_block,
+        program: &names.program,
+        state: &names.state,
+        events: names.events.iter().map(|(event, input)| Event { event, input }).collect(),
+        components: names
+            .components
+            .iter()
+            .map(|component| Component {
+                object: &component.object,
+                output: &component.output,
+                codes: component.codes.iter().map(|(text, code)| (text.as_str(), *code)).collect(),
+            })
+            .collect(),
+    };
+    format!("{}\n", serde_json::to_string(&document).expect("strings always serialize"))
+}

@@ -1,0 +1,41 @@
+//! `sml synth`: a verified controller as JSON.
+
+use crate::failure::{Exit, Failure};
+use crate::options::Minimize;
+use crate::output;
+use crate::session::Session;
+use std::path::PathBuf;
+use synth_core::controller::json::to_json;
+
+/// Arguments of `sml synth`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// The specification; `-` is stdin
+    file: PathBuf,
+    /// Where to write; stdout otherwise
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    minimize: Minimize,
+}
+
+pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
+    let level = arguments.minimize.level().map_err(Failure::unsupported)?;
+    output::refuse_input(arguments.output.as_deref(), &arguments.file)?;
+    let loaded = session.load(&arguments.file)?;
+    let spec = session.specification(&loaded)?;
+    let mut solved = session.solve(&loaded, &spec)?;
+    let verified = session.synthesize(&loaded, &mut solved, level)?;
+    let controller = &verified.controller;
+    output::product(arguments.output.as_deref(), &to_json(controller))?;
+    let rows: usize = controller.environment.iter().map(Vec::len).sum();
+    output::note(&format!(
+        "{}: {} states, {} before minimisation; {rows} rows for events, {} super steps; verified with {} nodes",
+        spec.name,
+        controller.states,
+        verified.unminimized_states,
+        controller.super_steps.len(),
+        verified.product_nodes,
+    ));
+    Ok(Exit::Done)
+}

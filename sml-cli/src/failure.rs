@@ -1,0 +1,150 @@
+//! Why a command has nothing to show, and the exit code that says so.
+
+use crate::options::Format;
+use crate::output;
+use serde_json::json;
+use std::process::ExitCode;
+use synth_core::diagnostic::{Code, Diagnostic, render, to_json};
+use synth_core::explore::LimitReached;
+use synth_core::pipeline;
+use synth_core::syntax::{Loaded, Sources, Span};
+use synth_core::verify::Refutation;
+
+/// The published exit codes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Exit {
+    /// Done, and the answer is yes where one was asked for.
+    Done = 0,
+    /// Unrealizable, not verified, stale, denied or not executable.
+    No = 1,
+    /// Wrong content or wrong usage.
+    Wrong = 2,
+    /// A limit was reached.
+    Limit = 3,
+    /// A file cannot be opened or written.
+    File = 4,
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> Self {
+        ExitCode::from(exit as u8)
+    }
+}
+
+/// What went wrong, ready to be shown.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    exit: Exit,
+    diagnostics: Vec<Diagnostic>,
+    sources: Sources,
+}
+
+impl Failure {
+    /// Something that concerns no place in a specification.
+    pub(crate) fn new(exit: Exit, diagnostic: Diagnostic) -> Self {
+        Failure { exit, diagnostics: vec![diagnostic], sources: Sources::new() }
+    }
+
+    /// Something that concerns a place in a specification.
+    pub(crate) fn at(exit: Exit, diagnostic: Diagnostic, loaded: &Loaded) -> Self {
+        Failure { exit, diagnostics: vec![diagnostic], sources: loaded.sources.clone() }
+    }
+
+    /// Arguments that make no sense.
+    pub(crate) fn usage(message: impl Into<String>) -> Self {
+        Failure::new(Exit::Wrong, nowhere(Code::Usage, message).help("see `sml --help`"))
+    }
+
+    /// What is part of the interface, but not there yet.
+    pub(crate) fn unsupported(what: &str) -> Self {
+        Failure::new(Exit::Wrong, nowhere(Code::Unsupported, format!("`{what}` is not supported yet")))
+    }
+
+    /// An input that is not a specification and is malformed.
+    pub(crate) fn malformed(code: Code, path: &str, why: &str) -> Self {
+        Failure::new(Exit::Wrong, nowhere(code, format!("`{path}`: {why}")))
+    }
+
+    /// A file that cannot be opened.
+    pub(crate) fn unreadable(path: &str, error: &std::io::Error) -> Self {
+        Failure::new(Exit::File, nowhere(Code::Unreadable, format!("`{path}` cannot be read: {error}")))
+    }
+
+    /// An output that cannot be written.
+    pub(crate) fn unwritable(path: &str, error: &std::io::Error) -> Self {
+        Failure::new(Exit::File, nowhere(Code::Unwritable, format!("`{path}` cannot be written: {error}")))
+    }
+
+    /// A failure of the pipeline.
+    pub(crate) fn of(failure: pipeline::Failure, loaded: &Loaded) -> Self {
+        use pipeline::Failure as F;
+        let (exit, diagnostics) = match failure {
+            F::Wrong(diagnostics) => (Exit::Wrong, diagnostics),
+            F::Unrealizable(unrealizable) => (Exit::No, vec![unrealizable.diagnostic]),
+            F::Limit(limit) => (Exit::Limit, vec![limit_reached(&limit)]),
+            F::Unverified(refutation) => (Exit::No, vec![refuted(&refutation)]),
+            F::Inconsistent(what) => (Exit::No, vec![inconsistent(&what)]),
+        };
+        Failure { exit, diagnostics, sources: loaded.sources.clone() }
+    }
+
+    /// What is wrong with the specification, if that is what it is about.
+    pub(crate) fn wrong(self) -> Result<Vec<Diagnostic>, Failure> {
+        if self.exit == Exit::Wrong { Ok(self.diagnostics) } else { Err(self) }
+    }
+
+    /// Shows it: JSON on stdout, or text on stderr. A product that went to stdout is none for whoever gets this.
+    pub(crate) fn report(&self, format: Format, color: bool) -> Exit {
+        match format {
+            Format::Json => {
+                let document =
+                    json!({ "version": 1, "diagnostics": to_json(&self.diagnostics, &self.sources) });
+                if let Err(failure) = output::print(&format!("{document}\n")) {
+                    return failure.report(Format::Text, color);
+                }
+            }
+            Format::Text => output::note(render(&self.diagnostics, &self.sources, color).trim_end()),
+        }
+        self.exit
+    }
+}
+
+/// An error without a place.
+pub(crate) fn nowhere(code: Code, message: impl Into<String>) -> Diagnostic {
+    Diagnostic::error(code, Span::default(), message)
+}
+
+fn limit_reached(limit: &LimitReached) -> Diagnostic {
+    let LimitReached { what, limit, states, explored, edges, memory } = limit;
+    let unit = if *what == "memory" { "bytes" } else { what };
+    let diagnostic = nowhere(Code::LimitReached, format!("the limit of {limit} {unit} was reached")).note(format!(
+        "{states} states were found, {explored} of them explored, with {edges} transitions in {memory} bytes"
+    ));
+    match *what {
+        "states" => diagnostic.help("raise `--max-states`, or make the specification smaller"),
+        "memory" => diagnostic.help("raise `--max-memory`, or make the specification smaller"),
+        _ => diagnostic.help("make the specification smaller"),
+    }
+}
+
+fn refuted(refutation: &Refutation) -> Diagnostic {
+    let Refutation { reason, play, cycle } = refutation;
+    let mut diagnostic =
+        nowhere(Code::VerificationFailed, format!("the controller made for it is wrong: {reason}"));
+    for (title, events) in [("the play:", play), ("and then for ever:", cycle)] {
+        if !events.is_empty() {
+            diagnostic = diagnostic.note(format!("{title}\n  {}", events.join("\n  ")));
+        }
+    }
+    mistake_of_sml(diagnostic)
+}
+
+fn inconsistent(what: &str) -> Diagnostic {
+    mistake_of_sml(nowhere(Code::VerificationFailed, format!("the solver contradicts itself: {what}")))
+}
+
+fn mistake_of_sml(diagnostic: Diagnostic) -> Diagnostic {
+    diagnostic
+        .note(format!("this is a bug in sml {}, not in the specification", env!("CARGO_PKG_VERSION")))
+        .help("report it with the specification; nothing was written")
+}

@@ -1,0 +1,58 @@
+//! What is read: files by the names that the user gave them, `-` for stdin.
+
+use crate::failure::Failure;
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+use synth_core::controller::Controller;
+use synth_core::controller::json::from_json;
+use synth_core::diagnostic::Code;
+use synth_core::syntax::{Loaded, load};
+
+/// The name by which messages speak of an input.
+pub(crate) fn name(path: &Path) -> String {
+    if is_stdin(path) { "<stdin>".to_owned() } else { path.display().to_string() }
+}
+
+/// Whether the path stands for stdin.
+pub(crate) fn is_stdin(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// A controller as `sml synth` writes it.
+pub(crate) fn controller(path: &Path) -> Result<Controller, Failure> {
+    let text = text(path, Code::MalformedController)?;
+    from_json(&text).map_err(|why| Failure::malformed(Code::MalformedController, &name(path), &why))
+}
+
+/// Refuses to read stdin for several things.
+pub(crate) fn one_stdin<'a>(paths: impl IntoIterator<Item = &'a PathBuf>) -> Result<(), Failure> {
+    match paths.into_iter().filter(|path| is_stdin(path)).count() {
+        0 | 1 => Ok(()),
+        _ => Err(Failure::usage("stdin can be read only once: one `-` is enough")),
+    }
+}
+
+/// A specification with everything that it imports, mistakes included. What comes from stdin imports relative to
+/// the working directory.
+pub(crate) fn specification(path: &Path) -> Result<Loaded, Failure> {
+    let bytes = bytes(path)?;
+    Ok(load(&name(path), &bytes, &mut |import| std::fs::read(import).map_err(|error| error.to_string())))
+}
+
+/// The text of a file that is not a specification; `code` stands for one that is not UTF-8.
+pub(crate) fn text(path: &Path, code: Code) -> Result<String, Failure> {
+    String::from_utf8(bytes(path)?).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        Failure::malformed(code, &name(path), &format!("not UTF-8 text, byte {at} begins no character"))
+    })
+}
+
+fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
+    let mut bytes = Vec::new();
+    let read = if is_stdin(path) {
+        std::io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes)
+    } else {
+        std::fs::read(path)
+    };
+    read.map_err(|error| Failure::unreadable(&name(path), &error))
+}

@@ -1,0 +1,160 @@
+//! What can be asked on the command line: the subcommands and the options that all of them share.
+
+use crate::commands::Command;
+use clap::{Args, Parser, ValueEnum};
+use std::num::NonZeroUsize;
+use synth_core::controller::Level;
+use synth_core::explore::Limits;
+use synth_core::playout::Semantics;
+
+/// From scenario specifications to verified controllers.
+///
+/// Exit codes: 0 done; 1 unrealizable, not verified, stale or not executable; 2 wrong content or wrong usage;
+/// 3 a limit was reached; 4 a file cannot be opened or written.
+#[derive(Debug, Parser)]
+#[command(name = "sml", version, propagate_version = true)]
+pub(crate) struct Cli {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+/// Options of every subcommand.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct Common {
+    /// Output for people or for programs
+    #[arg(long, global = true, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+    /// Literal GR(1) reading: the system may win by breaking an assumption, and the environment is silent only where
+    /// it has no event
+    #[arg(long, global = true)]
+    classic: bool,
+    /// Give up when there are more states than this
+    #[arg(long, global = true, value_name = "N")]
+    max_states: Option<usize>,
+    /// Give up when states and transitions need more bytes than this; K, M and G may follow the number
+    #[arg(long, global = true, value_name = "BYTES", value_parser = bytes)]
+    max_memory: Option<usize>,
+    /// Number of threads; this version explores and solves on one, and no result ever depends on it
+    #[arg(long, global = true, value_name = "N")]
+    threads: Option<NonZeroUsize>,
+    /// Print time and size of every stage to stderr
+    #[arg(long, global = true)]
+    pub(crate) timings: bool,
+    /// Colors in messages; `auto` also honours the variable NO_COLOR
+    #[arg(long, global = true, value_enum, default_value_t = Color::Auto)]
+    pub(crate) color: Color,
+}
+
+impl Common {
+    /// How the winning condition is read.
+    pub(crate) fn semantics(&self) -> Semantics {
+        Semantics { classic: self.classic }
+    }
+
+    /// When to give up.
+    pub(crate) fn limits(&self) -> Limits {
+        let unlimited = Limits::default();
+        Limits {
+            states: self.max_states.map_or(unlimited.states, |states| states.min(unlimited.states)),
+            memory: self.max_memory.unwrap_or(unlimited.memory),
+        }
+    }
+}
+
+/// Who reads the output.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub(crate) enum Format {
+    /// People
+    Text,
+    /// Programs
+    Json,
+}
+
+/// When messages are colored.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub(crate) enum Color {
+    /// On a terminal
+    Auto,
+    /// Always
+    Always,
+    /// Never
+    Never,
+}
+
+/// How the controller is made smaller.
+#[derive(Args, Clone, Copy, Debug)]
+pub(crate) struct Minimize {
+    /// How the controller is made smaller
+    #[arg(long, value_enum, default_value_t = Minimization::Exact)]
+    pub(crate) minimize: Minimization,
+    /// The same as `--minimize none`
+    #[arg(long, conflicts_with = "minimize")]
+    no_minimize: bool,
+}
+
+impl Minimize {
+    /// The level, or the name of one that is not there yet.
+    pub(crate) fn level(self) -> Result<Level, &'static str> {
+        match self.minimize {
+            _ if self.no_minimize => Ok(Level::None),
+            Minimization::None => Ok(Level::None),
+            Minimization::Exact => Ok(Level::Exact),
+            Minimization::Assume => Err("--minimize assume"),
+            Minimization::Ordered => Err("--minimize ordered"),
+        }
+    }
+}
+
+/// Values of `--minimize`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub(crate) enum Minimization {
+    /// Every state of the strategy
+    None,
+    /// Merges states that no environment can tell apart
+    Exact,
+    /// Not supported yet
+    Assume,
+    /// Not supported yet
+    Ordered,
+}
+
+/// A number of bytes: decimal digits, and perhaps K, M or G for powers of 1024.
+fn bytes(text: &str) -> Result<usize, String> {
+    let (digits, shift) = match text.char_indices().next_back() {
+        Some((end, 'K' | 'k')) => (&text[..end], 10),
+        Some((end, 'M' | 'm')) => (&text[..end], 20),
+        Some((end, 'G' | 'g')) => (&text[..end], 30),
+        _ => (text, 0),
+    };
+    let number: usize = digits.parse().map_err(|_| "expected a number, perhaps with K, M or G".to_owned())?;
+    number.checked_mul(1 << shift).ok_or_else(|| "more than there can be".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory as _;
+
+    #[test]
+    fn options_do_not_contradict_each_other() {
+        Cli::command().debug_assert();
+    }
+
+    #[track_caller]
+    fn check(text: &str, expect: Option<usize>) {
+        assert_eq!(bytes(text).ok(), expect, "{text}");
+    }
+
+    #[test]
+    fn sizes() {
+        check("17", Some(17));
+        check("2K", Some(2048));
+        check("3m", Some(3 << 20));
+        check("1G", Some(1 << 30));
+        for wrong in ["", "K", "-1", "1.5G", "1KB", "é", "99999999999999999999", "99999999999999999G"] {
+            check(wrong, None);
+        }
+    }
+}

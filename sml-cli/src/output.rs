@@ -1,0 +1,93 @@
+//! What is written: products to stdout or, whole or not at all, to a file; notes for people to stderr.
+
+use crate::failure::Failure;
+use std::ffi::OsString;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+/// Writes a product to `path`, or to stdout if there is none or it is `-`.
+pub(crate) fn product(path: Option<&Path>, text: &str) -> Result<(), Failure> {
+    match path.filter(|path| path.as_os_str() != "-") {
+        None => print(text),
+        Some(path) => {
+            replace(path, text).map_err(|error| Failure::unwritable(&path.display().to_string(), &error))
+        }
+    }
+}
+
+/// Refuses to write the product over the specification.
+pub(crate) fn refuse_input(output: Option<&Path>, input: &Path) -> Result<(), Failure> {
+    let same = |output: &Path| match (fs::canonicalize(output), fs::canonicalize(input)) {
+        (Ok(output), Ok(input)) => output == input && output.is_file(),
+        _ => false,
+    };
+    match output {
+        Some(output) if same(output) => {
+            Err(Failure::usage(format!("`{}` would be overwritten with the product", input.display())))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Prints to stdout.
+pub(crate) fn print(text: &str) -> Result<(), Failure> {
+    stream(|out| out.write_all(text.as_bytes()))
+}
+
+/// Prints to stdout piece by piece. A reader that has seen enough and closes the pipe is no failure.
+pub(crate) fn stream(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+    let mut out = io::BufWriter::with_capacity(1 << 16, io::stdout().lock());
+    let written = write(&mut out).and_then(|()| out.flush());
+    match written {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::unwritable("<stdout>", &error)),
+        _ => Ok(()),
+    }
+}
+
+/// Prints a line for people to stderr; if nobody listens, nobody is told.
+pub(crate) fn note(line: &str) {
+    let _ = writeln!(io::stderr().lock(), "{line}");
+}
+
+/// Replaces the content of a file, or creates it.
+fn replace(path: &Path, text: &str) -> io::Result<()> {
+    let existing = match fs::metadata(path) {
+        Ok(metadata) if metadata.is_dir() => return Err(io::Error::other("it is a directory")),
+        // A device or a pipe cannot be replaced, and nothing in it can be lost.
+        Ok(metadata) if !metadata.is_file() => {
+            return OpenOptions::new().write(true).open(path)?.write_all(text.as_bytes());
+        }
+        Ok(metadata) => Some(metadata),
+        Err(error) if error.kind() == ErrorKind::NotFound => None,
+        Err(error) => return Err(error),
+    };
+    // A link stays a link: what it points at is replaced.
+    let target = if existing.is_some() { fs::canonicalize(path)? } else { path.to_owned() };
+    let (mut file, temporary) = temporary_beside(&target)?;
+    let result = file
+        .write_all(text.as_bytes())
+        .and_then(|()| existing.map_or(Ok(()), |metadata| file.set_permissions(metadata.permissions())))
+        .and_then(|()| fs::rename(&temporary, &target));
+    if result.is_err() {
+        // The first error is the one to report.
+        let _ = fs::remove_file(&temporary);
+    }
+    result
+}
+
+/// A new file in the folder of `target`, from where it can be renamed.
+fn temporary_beside(target: &Path) -> io::Result<(File, PathBuf)> {
+    let name = target.file_name().ok_or_else(|| io::Error::other("it has no file name"))?;
+    let mut attempt = 0;
+    loop {
+        let mut hidden = OsString::from(".");
+        hidden.push(name);
+        hidden.push(format!(".{}-{attempt}.tmp", std::process::id()));
+        let path = target.with_file_name(hidden);
+        match OpenOptions::new().write(true).create_new(true).open(&path) {
+            Err(error) if error.kind() == ErrorKind::AlreadyExists && attempt < 100 => attempt += 1,
+            opened => return opened.map(|file| (file, path)),
+        }
+    }
+}

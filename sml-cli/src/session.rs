@@ -1,0 +1,152 @@
+//! One run of the command: the stages of the pipeline with the options, the clock and the failures of this run.
+
+use crate::failure::Failure;
+use crate::options::{Color, Common, Format};
+use crate::{input, output};
+use std::io::IsTerminal;
+use std::path::Path;
+use std::time::Duration;
+use synth_core::controller::{Controller, Level};
+use synth_core::existential::{Existential, existential};
+use synth_core::explore::{Explored, explore};
+use synth_core::model::Spec;
+use synth_core::pipeline::{self, Options, Solved, Timings, Verified};
+use synth_core::playout::Semantics;
+use synth_core::syntax::Loaded;
+
+/// Options and clock.
+pub(crate) struct Session {
+    common: Common,
+    timings: Timings,
+    size: Option<Size>,
+}
+
+/// What exploration found, for `--timings`.
+struct Size {
+    states: usize,
+    edges: usize,
+    bytes: usize,
+}
+
+impl Size {
+    fn of(explored: &Explored<'_>) -> Self {
+        Size {
+            states: explored.game.states(),
+            edges: explored.game.edges(),
+            bytes: explored.store.memory() + explored.playout.memory(),
+        }
+    }
+}
+
+impl Session {
+    pub(crate) fn new(common: Common) -> Self {
+        Session { common, timings: Timings::default(), size: None }
+    }
+
+    pub(crate) fn format(&self) -> Format {
+        self.common.format
+    }
+
+    /// Whether text on this stream is colored.
+    pub(crate) fn color(&self, stream: &impl IsTerminal) -> bool {
+        match self.common.color {
+            Color::Always => true,
+            Color::Never => false,
+            Color::Auto => {
+                let declined = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+                !declined && stream.is_terminal()
+            }
+        }
+    }
+
+    /// How the winning condition is read.
+    pub(crate) fn semantics(&self) -> Semantics {
+        self.common.semantics()
+    }
+
+    fn options(&self, level: Level) -> Options {
+        Options { semantics: self.semantics(), limits: self.common.limits(), level }
+    }
+
+    pub(crate) fn load(&mut self, path: &Path) -> Result<Loaded, Failure> {
+        self.timings.stage("parse", || input::specification(path))
+    }
+
+    pub(crate) fn specification(&mut self, loaded: &Loaded) -> Result<Spec, Failure> {
+        let spec = self.timings.stage("resolve", || pipeline::specification(loaded));
+        spec.map_err(|failure| Failure::of(failure, loaded))
+    }
+
+    /// Explores without asking who wins.
+    pub(crate) fn explore<'s>(&mut self, loaded: &Loaded, spec: &'s Spec) -> Result<Explored<'s>, Failure> {
+        let options = self.options(Level::default());
+        let explored = self.timings.stage("explore", || explore(spec, options.semantics, &options.limits));
+        let explored = explored.map_err(|error| Failure::of(error.into(), loaded))?;
+        self.size = Some(Size::of(&explored));
+        Ok(explored)
+    }
+
+    pub(crate) fn solve<'s>(&mut self, loaded: &Loaded, spec: &'s Spec) -> Result<Solved<'s>, Failure> {
+        let options = self.options(Level::default());
+        let solved = pipeline::play_and_solve(spec, &options, &mut self.timings);
+        let solved = solved.map_err(|failure| Failure::of(failure, loaded))?;
+        self.size = Some(Size::of(&solved.explored));
+        Ok(solved)
+    }
+
+    pub(crate) fn synthesize(
+        &mut self,
+        loaded: &Loaded,
+        solved: &mut Solved<'_>,
+        level: Level,
+    ) -> Result<Verified, Failure> {
+        let options = self.options(level);
+        let verified = pipeline::synthesize(solved, &options, &mut self.timings);
+        verified.map_err(|failure| Failure::of(failure, loaded))
+    }
+
+    /// The number of nodes of the product, or why the controller does not pass.
+    pub(crate) fn verify(
+        &mut self,
+        spec: &Spec,
+        controller: &Controller,
+    ) -> Result<usize, pipeline::Failure> {
+        let options = self.options(Level::default());
+        self.timings.stage("verify", || pipeline::check(spec, controller, &options))
+    }
+
+    /// What becomes of the existential scenarios.
+    pub(crate) fn existential(
+        &mut self,
+        loaded: &Loaded,
+        spec: &Spec,
+        solved: &Solved<'_>,
+        controller: Option<&Controller>,
+    ) -> Result<Vec<Existential>, Failure> {
+        let options = self.options(Level::default());
+        let found = self.timings.stage("existential", || existential(spec, &options, solved, controller));
+        found.map_err(|failure| Failure::of(failure, loaded))
+    }
+
+    /// Runs a stage that is no part of the pipeline.
+    pub(crate) fn stage<T>(&mut self, name: &'static str, run: impl FnOnce() -> T) -> T {
+        self.timings.stage(name, run)
+    }
+
+    /// To stderr, if asked for.
+    pub(crate) fn print_timings(&self) {
+        if !self.common.timings {
+            return;
+        }
+        let line = |name: &str, time: Duration| {
+            output::note(&format!("{name:<12} {:>12.3} ms", time.as_secs_f64() * 1e3));
+        };
+        for (name, time) in &self.timings.0 {
+            line(name, *time);
+        }
+        line("total", self.timings.0.iter().map(|stage| stage.1).sum());
+        if let Some(Size { states, edges, bytes }) = &self.size {
+            output::note(&format!("{states} states, {edges} transitions, {bytes} bytes"));
+        }
+    }
+}

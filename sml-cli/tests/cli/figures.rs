@@ -1,0 +1,101 @@
+//! `sml check`.
+
+use crate::support::{corpus, sml, sml_reading};
+use serde_json::Value;
+
+#[test]
+fn every_figure_of_the_corpus() {
+    for (name, expected) in corpus() {
+        for (semantics, figures) in expected.as_object().expect("figures by semantics") {
+            let classic = if semantics == "classic" { "--classic" } else { "" };
+            let run = sml(&format!("check {name}/spec.sml --format json {classic}"));
+            let found = run.json();
+            for (figure, value) in figures.as_object().expect("figures") {
+                assert_eq!(&found[figure], value, "{name}, {semantics}: {figure}");
+            }
+            let realizable = figures["realizable"] == true;
+            assert_eq!(run.code, i32::from(!realizable), "{name}, {semantics}");
+            assert_eq!(found.get("explanation").is_some(), !realizable, "{name}, {semantics}");
+            assert!(found["existential"].is_array() && found["diagnostics"].is_array());
+            assert_eq!(found["version"], 1);
+        }
+    }
+}
+
+#[test]
+fn explanations_have_a_cause_and_a_play() {
+    for (name, expected) in corpus() {
+        if expected["default"]["realizable"] == true {
+            continue;
+        }
+        let explanation = &sml(&format!("check {name}/spec.sml --format json")).json()["explanation"];
+        let causes = ["environment_violates", "urgent_blocked", "guarantees_conflict", "obligation_starved"]
+            .map(Value::from);
+        assert!(causes.contains(&explanation["cause"]), "{name}: {explanation}");
+        for list in ["scenarios", "play", "loop"] {
+            assert!(explanation[list].is_array(), "{name}: {explanation}");
+        }
+    }
+}
+
+#[test]
+fn text_for_people() {
+    let run = sml("check memory/spec.sml");
+    assert_eq!(run.code, 0);
+    assert!(run.stdout.starts_with("Memory: realizable\n"), "{}", run.stdout);
+    assert!(run.stdout.contains("states                      4\n"), "{}", run.stdout);
+    let run = sml("check unreal_clash/spec.sml");
+    assert_eq!(run.code, 1);
+    assert!(run.stdout.contains(": not realizable\n"), "{}", run.stdout);
+}
+
+#[test]
+fn from_stdin() {
+    let text = std::fs::read(crate::support::specs().join("memory/spec.sml")).expect("the corpus");
+    let run = sml_reading("check - --format json", &text);
+    assert_eq!((run.code, &run.json()["states"]), (0, &Value::from(4)));
+    let run = sml_reading("check -", b"specification");
+    assert!(run.stderr.contains("<stdin>:1:"), "{}", run.stderr);
+}
+
+#[test]
+fn imports_of_stdin_are_relative_to_the_working_directory() {
+    let run = sml_reading("check -", b"import \"memory/spec.sml\" specification Whole { }");
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(run.stdout.starts_with("Whole: realizable"), "{}", run.stdout);
+}
+
+#[test]
+fn timings_name_the_stages() {
+    let run = sml("synth memory/spec.sml --timings");
+    for stage in ["parse", "explore", "solve", "minimise", "verify", "total", "4 states, 6 transitions"] {
+        assert!(run.stderr.contains(stage), "{stage}: {}", run.stderr);
+    }
+}
+
+#[test]
+fn colors_on_demand() {
+    let escapes = |arguments: &str| sml(arguments).stderr.contains('\u{1b}');
+    assert!(escapes("check no_such.sml --color always"));
+    assert!(!escapes("check no_such.sml --color never"));
+    assert!(!escapes("check no_such.sml"));
+}
+
+#[test]
+fn existential_scenarios_have_a_witness() {
+    let text = std::fs::read_to_string(crate::support::specs().join("memory/spec.sml")).expect("the corpus");
+    let scenarios = "existential scenario Blink { control -> lamp.red() control -> lamp.green() }
+      existential scenario Twice { control -> lamp.red() control -> lamp.red() } constraints [ interrupt control -> lamp.green() ]
+    guarantee scenario OneAtATick";
+    let text = text.replace("guarantee scenario OneAtATick", scenarios);
+    let run = sml_reading("check - --format json", text.as_bytes());
+    let found = run.json();
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let (blink, twice) = (&found["existential"][0], &found["existential"][1]);
+    assert_eq!((&blink["scenario"], &blink["reachable"]), (&"Memory.Blink".into(), &true.into()), "{found}");
+    let witness = ["control -> lamp.red()", "clock -> control.tick()", "control -> lamp.green()"];
+    assert_eq!(blink["witness"], Value::from(witness.to_vec()));
+    assert_eq!((&twice["reachable"], &twice["possible"]), (&false.into(), &true.into()), "{found}");
+    assert_eq!(found["states"], 4);
+    assert!(sml_reading("check -", text.as_bytes()).stdout.contains("`Memory.Blink` happens"));
+}

@@ -1,0 +1,156 @@
+//! `sml synth`, `verify`, `export` and `names`.
+
+use crate::support::{corpus, realizable, scratch, sml, sml_reading};
+use serde_json::{Value, json};
+
+#[test]
+fn what_synth_makes_verify_accepts() {
+    let folder = scratch("what_synth_makes");
+    for name in realizable() {
+        for minimize in ["--minimize none", "--no-minimize", "--minimize exact", ""] {
+            let path = folder.join("c.json");
+            let run = sml(&format!("synth {name}/spec.sml {minimize} -o {}", path.display()));
+            assert_eq!(run.code, 0, "{name}: {}", run.stderr);
+            let run = sml(&format!("verify {name}/spec.sml {} --format json", path.display()));
+            let expected = json!({ "version": 1, "verified": true, "reason": "", "play": [], "loop": [] });
+            assert_eq!((run.code, run.json()), (0, expected), "{name} {minimize}");
+        }
+    }
+}
+
+#[test]
+fn verify_refuses_with_a_play() {
+    let controller = sml("synth memory/spec.sml").stdout;
+    let mut broken: Value = serde_json::from_str(&controller).expect("JSON");
+    broken["environment"]["clock -> control.tick()"] = json!([[1, 2]]);
+    let path = scratch("verify_refuses").join("c.json");
+    std::fs::write(&path, broken.to_string()).expect("a file");
+    let run = sml(&format!("verify memory/spec.sml {} --format json", path.display()));
+    let found = run.json();
+    assert_eq!((run.code, &found["verified"]), (1, &json!(false)));
+    let play = found["play"].as_array().expect("a play");
+    assert_eq!(play.last(), Some(&json!("clock -> control.tick()")), "{found}");
+    assert!(!found["reason"].as_str().expect("a reason").is_empty());
+    let run = sml(&format!("verify memory/spec.sml {}", path.display()));
+    assert_eq!(run.code, 1);
+    assert!(run.stdout.starts_with("not verified: "), "{}", run.stdout);
+}
+
+#[test]
+fn verify_finds_what_starves() {
+    // Red for ever: green never comes again.
+    let controller = json!({
+        "version": 1, "states": 2, "initial": 0,
+        "environment": { "clock -> control.tick()": [[1, 0]] },
+        "supersteps": [[0, 1, ["control -> lamp.red()"]]],
+        "components": { "lamp": { "control -> lamp.red()": 1 } },
+    });
+    let run = sml_reading("verify memory/spec.sml - --format json", controller.to_string().as_bytes());
+    let found = run.json();
+    assert_eq!((run.code, &found["verified"]), (1, &json!(false)));
+    assert!(!found["loop"].as_array().expect("a loop").is_empty(), "{found}");
+}
+
+#[test]
+fn a_controller_of_another_specification_is_refused() {
+    let controller = sml("synth memory/spec.sml").stdout;
+    assert_eq!(sml_reading("verify line_2/spec.sml -", controller.as_bytes()).code, 1);
+}
+
+#[test]
+fn exact_is_the_default_and_no_larger_than_none() {
+    for name in realizable() {
+        let states =
+            |options: &str| sml(&format!("synth {name}/spec.sml {options}")).json()["states"].as_u64();
+        let exact = states("--minimize exact");
+        assert_eq!(states(""), exact);
+        assert_eq!(states("--no-minimize"), states("--minimize none"));
+        assert!(exact <= states("--minimize none"), "{name}");
+    }
+}
+
+#[test]
+fn summary_for_people_on_stderr() {
+    let run = sml("synth production_cell/spec.sml");
+    assert!(run.stderr.contains("before minimisation"), "{}", run.stderr);
+    assert_eq!(run.stdout.lines().count(), 1);
+}
+
+#[test]
+fn every_target_writes_something_plausible() {
+    for name in realizable() {
+        for (target, part) in [
+            ("rust", "pub mod "),
+            ("iec", "END_FUNCTION_BLOCK"),
+            ("dot", "digraph "),
+            ("mermaid", "stateDiagram-v2"),
+            ("json", "\"supersteps\""),
+        ] {
+            let run = sml(&format!("export {name}/spec.sml --target {target}"));
+            assert_eq!(run.code, 0, "{name}: {}", run.stderr);
+            assert!(run.stdout.contains(part) && run.stdout.ends_with('\n'), "{name}, {target}");
+        }
+        assert_eq!(
+            sml(&format!("export {name}/spec.sml --target json")).stdout,
+            sml(&format!("synth {name}/spec.sml")).stdout
+        );
+    }
+}
+
+#[test]
+fn options_of_structured_text_reach_it() {
+    let plain = sml("export memory/spec.sml --target iec").stdout;
+    let edge = "export memory/spec.sml --target iec --trigger edge --unexpected keep --integers unsigned";
+    assert_eq!(sml(edge).stdout, plain);
+    for (option, part) in [
+        ("--trigger level", "trigger: level"),
+        ("--unexpected drop", "unexpected: drop"),
+        ("--unexpected fault", "unexpected: fault"),
+        ("--integers signed", "integers: signed"),
+        ("--drain", "(drain)"),
+    ] {
+        let text = sml(&format!("export memory/spec.sml --target iec {option}")).stdout;
+        assert!(text.contains(part) && !plain.contains(part), "{option}");
+    }
+}
+
+#[test]
+fn names_cover_events_and_commands_whatever_the_verdict() {
+    for (name, _) in corpus() {
+        for target in ["iec", "rust"] {
+            let run = sml(&format!("names {name}/spec.sml --target {target}"));
+            let names = run.json();
+            assert_eq!(
+                (run.code, &names["version"], &names["target"]),
+                (0, &json!(1), &json!(target)),
+                "{name}"
+            );
+            for field in ["function_block", "program", "state"] {
+                assert!(names[field].is_string(), "{name}: {field}");
+            }
+        }
+    }
+}
+
+#[test]
+fn names_are_those_in_the_text() {
+    for name in realizable() {
+        let controller = sml(&format!("synth {name}/spec.sml")).json();
+        for target in ["iec", "rust"] {
+            let names = sml(&format!("names {name}/spec.sml --target {target}")).json();
+            let text = sml(&format!("export {name}/spec.sml --target {target}")).stdout;
+            let events = names["events"].as_array().expect("events");
+            let texts: Vec<&str> = events.iter().filter_map(|event| event["event"].as_str()).collect();
+            let known: Vec<&String> = controller["environment"].as_object().expect("rows").keys().collect();
+            assert_eq!(texts, known, "{name}");
+            for event in events {
+                assert!(text.contains(event["input"].as_str().expect("a name")), "{name}: {event}");
+            }
+            for component in names["components"].as_array().expect("components") {
+                assert!(text.contains(component["output"].as_str().expect("a name")), "{name}: {component}");
+                let object = component["object"].as_str().expect("a name");
+                assert_eq!(component["codes"], controller["components"][object], "{name}");
+            }
+        }
+    }
+}

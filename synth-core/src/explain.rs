@@ -1,0 +1,365 @@
+//! Why a specification is not realizable, in terms of its scenarios.
+//!
+//! The solver's counter-strategy gives one play that the environment forces ([`counter_play`]). Here it is played
+//! out once more to see which scenarios it breaks or starves, and what keeps the system from meeting them.
+//! It is one play, not all of them, and `scenarios` is what is involved in it, not a smallest set of conflicting scenarios.
+
+use crate::diagnostic::{Code, Diagnostic};
+use crate::explore::{Explored, Limits, explore};
+use crate::game::{CounterPlay, Loss, YIELD, can_meet, counter_play, solve};
+use crate::model::{Kind, Spec};
+use crate::pipeline::Solved;
+use crate::playout::{Config, Key, KeyId, Moves, Playout, Step};
+use crate::syntax::Span;
+use std::collections::BTreeSet;
+
+/// What is at the bottom of it; the first that applies.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Cause {
+    /// The environment can bring the play to an event of its own that violates a guarantee but no assumption.
+    EnvironmentViolates,
+    /// The obligation that starves is a message that the system has to send, and throughout the loop each event that
+    /// would meet it violates a scenario or has no channel. Nor could the system avoid that: it cannot meet
+    /// this obligation even if it violates no guarantee but neglects all other obligations.
+    UrgentBlocked,
+    /// The system could meet the obligation that starves if it were the only one (without violating any guarantee), or
+    /// if its scenario were the only guarantee. If super steps do not end: several scenarios are involved, and
+    /// the specification were realizable with each of them alone.
+    GuaranteesConflict,
+    /// None of these: the environment can withhold what the obligation waits for.
+    ObligationStarved,
+}
+
+impl Cause {
+    /// As it stands in outputs.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Cause::EnvironmentViolates => "environment_violates",
+            Cause::UrgentBlocked => "urgent_blocked",
+            Cause::GuaranteesConflict => "guarantees_conflict",
+            Cause::ObligationStarved => "obligation_starved",
+        }
+    }
+}
+
+/// An event that the system would have to send, and what does not let it.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Blocked {
+    /// Its text.
+    pub event: String,
+    /// Names of the scenarios that it would violate; empty if it has no channel.
+    pub by: Vec<String>,
+}
+
+/// An obligation that is never met.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Starved {
+    /// The name of its scenario.
+    pub scenario: String,
+    /// The message or `wait`.
+    pub fragment: Span,
+}
+
+/// Why no controller can meet a specification.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Explanation {
+    /// What is at the bottom of it.
+    pub cause: Cause,
+    /// Names of the scenarios involved, without duplicates: first those that are violated or starve, then those that
+    /// block the system's events. In a conflict also the guarantees that the system cannot meet together with the one
+    /// that starves: without any one of these it could.
+    pub scenarios: Vec<String>,
+    /// Event texts of a play that the environment can force; a yield is `yield`.
+    pub play: Vec<String>,
+    /// What is then repeated for ever; the single text `silence` if nothing happens any more. Empty if a guarantee is
+    /// violated at the end of `play`.
+    pub cycle: Vec<String>,
+    /// The obligation that is not met in the loop; `None` if a guarantee is violated, or a super step never ends.
+    pub starved: Option<Starved>,
+    /// Events of the system that would help but are not allowed where the play ends, in the order of their texts.
+    pub blocked: Vec<Blocked>,
+    /// The place of the message or `wait` that starves, else the name of the first scenario involved.
+    pub place: Span,
+}
+
+impl Explanation {
+    /// As a message to the author.
+    #[must_use]
+    pub fn diagnostic(&self) -> Diagnostic {
+        let label = match (self.cause, &self.starved) {
+            (Cause::EnvironmentViolates, _) => "the environment can violate this",
+            (Cause::UrgentBlocked, _) => "this must be sent, and is blocked for ever",
+            (Cause::GuaranteesConflict, Some(_)) => "this could be met if it were the only guarantee",
+            (Cause::ObligationStarved, Some(_)) => "the environment can keep this from ever being met",
+            (_, None) => "this can make a super step go on for ever",
+        };
+        let message = "no controller can meet this specification";
+        let mut diagnostic = Diagnostic::error(Code::Unrealizable, self.place, message).label(label);
+        for Blocked { event, by } in &self.blocked {
+            diagnostic = diagnostic.note(match by.as_slice() {
+                [] => format!("`{event}` has no channel there"),
+                by => format!("`{event}` is not allowed there, it would violate `{}`", by.join("`, `")),
+            });
+        }
+        if self.scenarios.len() > 1 {
+            diagnostic = diagnostic.note(format!("scenarios involved: `{}`", self.scenarios.join("`, `")));
+        }
+        if !self.play.is_empty() {
+            let play = self.play.join("\n  ");
+            diagnostic = diagnostic.note(format!("the environment can force this play:\n  {play}"));
+        }
+        if !self.cycle.is_empty() {
+            let when = if self.play.is_empty() { "from the start" } else { "and then" };
+            let cycle = self.cycle.join("\n  ");
+            diagnostic = diagnostic.note(format!("{when}, for ever:\n  {cycle}"));
+        }
+        diagnostic.help(match self.cause {
+            Cause::EnvironmentViolates => {
+                "add the assumption that rules the last event out, or relax the guarantee"
+            }
+            Cause::UrgentBlocked => {
+                "relax the guarantee that blocks the message, or the one that asks for it"
+            }
+            Cause::GuaranteesConflict => "relax one of the guarantees involved",
+            Cause::ObligationStarved => {
+                "add the assumption about the environment that is missing, or relax the guarantee"
+            }
+        })
+    }
+}
+
+/// The text that stands for a loop in which nothing happens.
+pub const SILENCE: &str = "silence";
+
+/// Explains why the system cannot win from the initial state; `None` if it can.
+///
+/// Costs about as much as solving the game once more; a conflict as much as solving it, or if that does not show it
+/// exploring and solving it, once for each guarantee.
+#[must_use]
+pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
+    let CounterPlay { play, cycle, loss } = counter_play(&solved.explored.game, &solved.solution)?;
+    let spec = solved.explored.playout.spec();
+    let mut replay = Replay::new(solved)?;
+    let texts = |edges: &[u32]| edges.iter().map(|&edge| text(solved, edge)).collect::<Vec<_>>();
+    let (play, mut cycle) = (texts(&play), texts(&cycle));
+    let mut findings = match loss {
+        Loss::Violation => {
+            let (last, before) = play.split_last()?;
+            before.iter().try_for_each(|event| replay.follow(event))?;
+            replay.violation(last)
+        }
+        Loss::Starvation(key) => {
+            play.iter().try_for_each(|event| replay.follow(event))?;
+            replay.starvation(solved, key, &cycle)?
+        }
+        Loss::Endless => {
+            play.iter().try_for_each(|event| replay.follow(event))?;
+            replay.endless(solved, &cycle)?
+        }
+    };
+    if cycle.is_empty() && loss != Loss::Violation {
+        cycle.push(SILENCE.to_owned());
+    }
+    let mut seen = BTreeSet::new();
+    findings.scenarios.retain(|&scenario| seen.insert(scenario));
+    let name = |scenario: usize| spec.scenarios[scenario].name.clone();
+    let starved = findings.starved.map(|key| Starved {
+        scenario: name(key.scenario),
+        fragment: spec.scenarios[key.scenario].nodes[usize::from(key.node)].span,
+    });
+    let first = spec.scenarios.get(*findings.scenarios.first()?)?.span;
+    Some(Explanation {
+        cause: findings.cause,
+        scenarios: findings.scenarios.iter().map(|&scenario| name(scenario)).collect(),
+        play,
+        cycle,
+        place: starved.as_ref().map_or(first, |starved| starved.fragment),
+        starved,
+        blocked: findings.blocked.into_iter().collect(),
+    })
+}
+
+fn text(solved: &Solved<'_>, edge: u32) -> String {
+    match solved.explored.game.label[edge as usize] {
+        YIELD => "yield".to_owned(),
+        event => solved.explored.playout.event(event).text.clone(),
+    }
+}
+
+/// What a replay shows.
+struct Findings {
+    cause: Cause,
+    /// Indices; with duplicates.
+    scenarios: Vec<usize>,
+    starved: Option<Key>,
+    blocked: BTreeSet<Blocked>,
+}
+
+/// Follows a play once more, in a play-out of its own.
+struct Replay<'s> {
+    playout: Playout<'s>,
+    config: Config,
+    moves: Moves,
+}
+
+impl<'s> Replay<'s> {
+    /// Nothing of this fails, and neither does [`Replay::follow`]: the same play has been explored before.
+    fn new(solved: &Solved<'s>) -> Option<Self> {
+        let explored = &solved.explored.playout;
+        let mut playout = Playout::new(explored.spec(), explored.semantics()).ok()?;
+        let config = playout.initial().ok()?;
+        Some(Replay { playout, config, moves: Moves::default() })
+    }
+
+    fn follow(&mut self, text: &str) -> Option<()> {
+        self.playout.moves(&self.config, &mut self.moves).ok()?;
+        let is_it = |event| match event {
+            Some(event) => self.playout.event(event).text == text,
+            None => text == "yield",
+        };
+        let one = self.moves.moves.iter().find(|one| is_it(one.event))?;
+        self.config.clone_from(&one.config);
+        Some(())
+    }
+
+    /// The environment's last event violates guarantees.
+    fn violation(&mut self, last: &str) -> Findings {
+        let spec = self.playout.spec();
+        let mut step = Step::default();
+        if let Some(event) = self.playout.find_event(last) {
+            self.playout.step(&self.config, event, &mut step);
+        }
+        step.violated.retain(|&scenario| spec.scenarios[scenario].kind == Kind::Guarantee);
+        let mut scenarios = step.violated;
+        let mut blocked = BTreeSet::new();
+        let violated = scenarios.clone();
+        for key in self.open() {
+            if violated.contains(&self.playout.key(key).scenario) {
+                self.is_blocked(key, &mut scenarios, &mut blocked);
+            }
+        }
+        Findings { cause: Cause::EnvironmentViolates, scenarios, starved: None, blocked }
+    }
+
+    /// An obligation is never met in the loop.
+    fn starvation(&mut self, solved: &Solved<'_>, id: KeyId, cycle: &[String]) -> Option<Findings> {
+        let spec = self.playout.spec();
+        let key = solved.explored.playout.key(id);
+        let mut scenarios = vec![key.scenario];
+        let mut blocked = BTreeSet::new();
+        let mut always_blocked = true;
+        for event in cycle.iter().map(Some).chain([None]) {
+            let open = self.open();
+            let starved = open.iter().find(|&&open| self.playout.key(open) == key);
+            let is_blocked = starved.is_some_and(|&key| self.is_blocked(key, &mut scenarios, &mut blocked));
+            always_blocked &= is_blocked;
+            if let Some(event) = event {
+                self.follow(event)?;
+            }
+        }
+        let cause = if can_meet(&solved.explored.game, &[id]) {
+            scenarios.extend(rivals(spec, |others| {
+                let keys = solved.explored.game.guarantees.iter().copied();
+                let scenario_of = |key: KeyId| solved.explored.playout.key(key).scenario;
+                let kept = keys.filter(|&other| other == id || others.contains(&scenario_of(other)));
+                can_meet(&solved.explored.game, &kept.collect::<Vec<_>>())
+            }));
+            Cause::GuaranteesConflict
+        } else if always_blocked {
+            Cause::UrgentBlocked
+        } else if is_realizable_with(solved, &[key.scenario]) {
+            scenarios.extend(rivals(spec, |others| {
+                is_realizable_with(solved, &[others, &[key.scenario]].concat())
+            }));
+            Cause::GuaranteesConflict
+        } else {
+            Cause::ObligationStarved
+        };
+        Some(Findings { cause, scenarios, starved: Some(key.clone()), blocked })
+    }
+
+    /// The system never lets the environment have its turn.
+    fn endless(&mut self, solved: &Solved<'_>, cycle: &[String]) -> Option<Findings> {
+        let mut scenarios = Vec::new();
+        for event in cycle {
+            let open = self.open();
+            scenarios.extend(self.guarantees_of(&open));
+            self.follow(event)?;
+        }
+        scenarios.sort_unstable();
+        scenarios.dedup();
+        let each_alone = || scenarios.iter().all(|&scenario| is_realizable_with(solved, &[scenario]));
+        let cause = if scenarios.len() > 1 && each_alone() {
+            Cause::GuaranteesConflict
+        } else {
+            Cause::ObligationStarved
+        };
+        Some(Findings { cause, scenarios, starved: None, blocked: BTreeSet::new() })
+    }
+
+    fn open(&self) -> Vec<KeyId> {
+        let mut open = Vec::new();
+        self.playout.open_keys(&self.config, &mut open);
+        open
+    }
+
+    /// The guarantees that keys belong to.
+    fn guarantees_of(&self, keys: &[KeyId]) -> Vec<usize> {
+        let spec = self.playout.spec();
+        let scenarios = keys.iter().map(|&key| self.playout.key(key).scenario);
+        scenarios.filter(|&scenario| spec.scenarios[scenario].kind == Kind::Guarantee).collect()
+    }
+
+    /// Whether the system would have to send something to meet the obligation, and cannot. Notes what stands in the
+    /// way of single events also where another one is free.
+    fn is_blocked(
+        &mut self,
+        key: KeyId,
+        scenarios: &mut Vec<usize>,
+        blocked: &mut BTreeSet<Blocked>,
+    ) -> bool {
+        let spec = self.playout.spec();
+        let attempts = self.playout.attempts(&self.config, key);
+        for attempt in attempts.iter().filter(|attempt| attempt.is_blocked()) {
+            let by = attempt.forbidden_by.iter().map(|&scenario| spec.scenarios[scenario].name.clone());
+            let event = self.playout.event(attempt.event).text.clone();
+            blocked.insert(Blocked { event, by: by.collect() });
+            scenarios.extend_from_slice(&attempt.forbidden_by);
+        }
+        !attempts.is_empty() && attempts.iter().all(super::playout::Attempt::is_blocked)
+    }
+}
+
+/// The guarantees that are in conflict with what starves: a set of them with which it cannot be met, but without any
+/// one of which it could.
+fn rivals(spec: &Spec, can_be_met_with: impl Fn(&[usize]) -> bool) -> Vec<usize> {
+    let is_guarantee = |&scenario: &usize| spec.scenarios[scenario].kind == Kind::Guarantee;
+    let mut rivals: Vec<usize> = (0..spec.scenarios.len()).filter(is_guarantee).collect();
+    for index in (0..rivals.len()).rev() {
+        let candidate = rivals.remove(index);
+        if can_be_met_with(&rivals) {
+            rivals.insert(index, candidate);
+        }
+    }
+    rivals
+}
+
+/// Whether the specification were realizable with these guarantees alone. Without the others there can be more states
+/// or mistakes; where it becomes too large or wrong the answer is no.
+fn is_realizable_with(solved: &Solved<'_>, guarantees: &[usize]) -> bool {
+    let Explored { playout, game, .. } = &solved.explored;
+    let mut reduced = playout.spec().clone();
+    let mut scenarios = 0..;
+    reduced.scenarios.retain(|scenario| {
+        let index = scenarios.next();
+        scenario.kind != Kind::Guarantee || index.is_some_and(|index| guarantees.contains(&index))
+    });
+    let states = game.states().saturating_mul(4).max(10_000);
+    let limits = Limits { states, ..Limits::default() };
+    explore(&reduced, playout.semantics(), &limits)
+        .is_ok_and(|explored| solve(&explored.game).wins(explored.game.initial))
+}
+
+#[cfg(test)]
+mod tests;
