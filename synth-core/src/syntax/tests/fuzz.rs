@@ -7,7 +7,7 @@ use super::trees::shape;
 use super::{corpus, parse, tree};
 use crate::diagnostic::{compile_errors, render};
 use crate::syntax::ast::{BinaryOp, Expr, ExprKind, FragmentKind, Name, Path, Section, UnaryOp};
-use crate::syntax::{FileId, Sources, Span, parse_tokens, print};
+use crate::syntax::{FileId, Loaded, Sources, Span, parse_tokens, print};
 
 /// Text that is neither read nor refused in silence fails; so does a diagnostic out of order.
 fn survive(text: &str) {
