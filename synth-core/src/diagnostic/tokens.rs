@@ -50,7 +50,7 @@ fn text(diagnostic: &Diagnostic, sources: &Sources) -> String {
         }
     }
     for note in &diagnostic.notes {
-        text.push_str(&format!("\n  note: {note}"));
+        text.push_str(&format!("\n  note: {}", note.replace('\n', "\n    ")));
     }
     if let Some(help) = &diagnostic.help {
         text.push_str(&format!("\n  help: {help}"));
