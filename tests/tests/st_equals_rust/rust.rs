@@ -143,11 +143,10 @@ fn tokens(stream: TokenStream) -> Vec<Token> {
             TokenTree::Punct(punct) if punct.as_char() == '#' => {
                 let Some(TokenTree::Group(group)) = trees.next() else { continue };
                 let attribute: Vec<TokenTree> = group.stream().into_iter().collect();
-                if let [TokenTree::Ident(name), _, TokenTree::Literal(text)] = attribute.as_slice() {
-                    if name == "doc" {
-                        let text = text.to_string();
-                        out.push(Token::Doc(text.trim_matches('"').to_owned()));
-                    }
+                if let [TokenTree::Ident(name), _, TokenTree::Literal(text)] = attribute.as_slice()
+                    && name == "doc"
+                {
+                    out.push(Token::Doc(text.to_string().trim_matches('"').to_owned()));
                 }
             }
             TokenTree::Group(group) => out.push(Token::Group(group.delimiter(), tokens(group.stream()))),
