@@ -43,7 +43,7 @@ pub(crate) fn read(text: &str) -> Controller {
     let mut controller = Controller::default();
     let mut doc = "";
     for (at, token) in module.iter().enumerate() {
-        let [first, name, ..] = &module[at..] else { break };
+        let [_, name, ..] = &module[at..] else { break };
         match token {
             Token::Doc(text) => doc = text.trim(),
             Token::Word(word) if word == "impl" => initial(&module[at..], &mut controller),
@@ -57,7 +57,7 @@ pub(crate) fn read(text: &str) -> Controller {
                     controller.components.push(Component { object, commands, codes: Vec::new() });
                 }
             }
-            Token::Word(_) if first.is("static") => {
+            Token::Word(word) if word == "static" => {
                 let end = module[at..].iter().position(|token| token.is(";")).expect("an end");
                 table(doc, name.word(), &module[at..at + end], &mut controller);
             }
