@@ -5,10 +5,8 @@ use crate::output;
 use serde_json::json;
 use std::process::ExitCode;
 use synth_core::diagnostic::{Code, Diagnostic, render, to_json};
-use synth_core::explore::LimitReached;
 use synth_core::pipeline;
 use synth_core::syntax::{Loaded, Sources, Span};
-use synth_core::verify::Refutation;
 
 /// The published exit codes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -76,15 +74,14 @@ impl Failure {
     }
 
     /// A failure of the pipeline.
-    pub(crate) fn of(failure: pipeline::Failure, loaded: &Loaded) -> Self {
+    pub(crate) fn of(failure: &pipeline::Failure, loaded: &Loaded) -> Self {
         use pipeline::Failure as F;
-        let (exit, diagnostics) = match failure {
-            F::Wrong(diagnostics) => (Exit::Wrong, diagnostics),
-            F::Unrealizable(unrealizable) => (Exit::No, vec![unrealizable.diagnostic]),
-            F::Limit(limit) => (Exit::Limit, vec![limit_reached(&limit)]),
-            F::Unverified(refutation) => (Exit::No, vec![refuted(&refutation)]),
-            F::Inconsistent(what) => (Exit::No, vec![inconsistent(&what)]),
+        let exit = match failure {
+            F::Wrong(_) => Exit::Wrong,
+            F::Limit(_) => Exit::Limit,
+            F::Unrealizable(_) | F::Unverified(_) | F::Inconsistent(_) => Exit::No,
         };
+        let diagnostics = failure.diagnostics();
         Failure { exit, diagnostics, sources: loaded.sources.clone() }
     }
 
@@ -112,39 +109,4 @@ impl Failure {
 /// An error without a place.
 pub(crate) fn nowhere(code: Code, message: impl Into<String>) -> Diagnostic {
     Diagnostic::error(code, Span::default(), message)
-}
-
-fn limit_reached(limit: &LimitReached) -> Diagnostic {
-    let LimitReached { what, limit, states, explored, edges, memory } = limit;
-    let unit = if *what == "memory" { "bytes" } else { what };
-    let diagnostic = nowhere(Code::LimitReached, format!("the limit of {limit} {unit} was reached")).note(format!(
-        "{states} states were found, {explored} of them explored, with {edges} transitions in {memory} bytes"
-    ));
-    match *what {
-        "states" => diagnostic.help("raise `--max-states`, or make the specification smaller"),
-        "memory" => diagnostic.help("raise `--max-memory`, or make the specification smaller"),
-        _ => diagnostic.help("make the specification smaller"),
-    }
-}
-
-fn refuted(refutation: &Refutation) -> Diagnostic {
-    let Refutation { reason, play, cycle } = refutation;
-    let mut diagnostic =
-        nowhere(Code::VerificationFailed, format!("the controller made for it is wrong: {reason}"));
-    for (title, events) in [("the play:", play), ("and then for ever:", cycle)] {
-        if !events.is_empty() {
-            diagnostic = diagnostic.note(format!("{title}\n  {}", events.join("\n  ")));
-        }
-    }
-    mistake_of_sml(diagnostic)
-}
-
-fn inconsistent(what: &str) -> Diagnostic {
-    mistake_of_sml(nowhere(Code::VerificationFailed, format!("the solver contradicts itself: {what}")))
-}
-
-fn mistake_of_sml(diagnostic: Diagnostic) -> Diagnostic {
-    diagnostic
-        .note(format!("this is a bug in sml {}, not in the specification", env!("CARGO_PKG_VERSION")))
-        .help("report it with the specification; nothing was written")
 }

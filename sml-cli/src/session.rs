@@ -74,14 +74,14 @@ impl Session {
 
     pub(crate) fn specification(&mut self, loaded: &Loaded) -> Result<Spec, Failure> {
         let spec = self.timings.stage("resolve", || pipeline::specification(loaded));
-        spec.map_err(|failure| Failure::of(failure, loaded))
+        spec.map_err(|failure| Failure::of(&failure, loaded))
     }
 
     /// Explores without asking who wins.
     pub(crate) fn explore<'s>(&mut self, loaded: &Loaded, spec: &'s Spec) -> Result<Explored<'s>, Failure> {
         let options = self.options(Level::default());
         let explored = self.timings.stage("explore", || explore(spec, options.semantics, &options.limits));
-        let explored = explored.map_err(|error| Failure::of(error.into(), loaded))?;
+        let explored = explored.map_err(|error| Failure::of(&error.into(), loaded))?;
         self.size = Some(Size::of(&explored));
         Ok(explored)
     }
@@ -89,7 +89,7 @@ impl Session {
     pub(crate) fn solve<'s>(&mut self, loaded: &Loaded, spec: &'s Spec) -> Result<Solved<'s>, Failure> {
         let options = self.options(Level::default());
         let solved = pipeline::play_and_solve(spec, &options, &mut self.timings);
-        let solved = solved.map_err(|failure| Failure::of(failure, loaded))?;
+        let solved = solved.map_err(|failure| Failure::of(&failure, loaded))?;
         self.size = Some(Size::of(&solved.explored));
         Ok(solved)
     }
@@ -102,7 +102,7 @@ impl Session {
     ) -> Result<Verified, Failure> {
         let options = self.options(level);
         let verified = pipeline::synthesize(solved, &options, &mut self.timings);
-        verified.map_err(|failure| Failure::of(failure, loaded))
+        verified.map_err(|failure| Failure::of(&failure, loaded))
     }
 
     /// The number of nodes of the product, or why the controller does not pass.
@@ -125,7 +125,7 @@ impl Session {
     ) -> Result<Vec<Existential>, Failure> {
         let options = self.options(Level::default());
         let found = self.timings.stage("existential", || existential(spec, &options, solved, controller));
-        found.map_err(|failure| Failure::of(failure, loaded))
+        found.map_err(|failure| Failure::of(&failure, loaded))
     }
 
     /// Runs a stage that is no part of the pipeline.

@@ -5,7 +5,7 @@ use crate::controller::{Alphabet, Controller, EndlessSuperStep, Letter, Level, m
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::explain::{Explanation, explain};
 use crate::explore::{ExploreError, Explored, LimitReached, Limits, explore};
-use crate::game::{Solution, Strategy, YIELD, extract, solve};
+use crate::game::{Game, Solution, Strategy, YIELD, extract, solve, solve_ending};
 use crate::model::{Kind, Spec, resolve::resolve};
 use crate::playout::{Config, Playout, Semantics};
 use crate::syntax::{FileId, Loaded, Pos, Span};
@@ -204,25 +204,46 @@ pub fn synthesize(
         return Err(unrealizable(solved, timings));
     }
     let Solved { explored, solution } = solved;
-    let strategy = timings.stage("extract", || extract(&explored.game, solution));
-    let strategy = strategy.map_err(|error| Failure::Inconsistent(error.to_string()))?;
-    let alphabet = alphabet(&explored.playout);
-    let raw = timings.stage("super steps", || {
-        let Explored { playout, store, game } = explored;
-        let mut config = Config::default();
-        merge(game, &strategy, &alphabet, &mut |state| {
-            if state as usize >= store.len() {
-                return Vec::new();
-            }
-            store.load(state, &mut config);
-            playout.owed(&config)
-        })
-    });
+    let strategy = timings.stage("extract", || strategy(&explored.game, solution))?;
+    let raw = timings.stage("super steps", || merged(explored, &strategy));
     let raw =
         raw.map_err(|endless| Failure::Wrong(vec![endless_super_step(explored, &strategy, endless)]))?;
     let controller = timings.stage("minimise", || minimize(&raw, options.level));
-    let product_nodes = timings.stage("verify", || check(explored.playout.spec(), &controller, options))?;
+    let spec = explored.playout.spec();
+    // Where nothing was merged, both are the same but for numbers.
+    if controller.states < raw.states {
+        timings.stage("verify unminimised", || check(spec, &raw, options))?;
+    }
+    let product_nodes = timings.stage("verify", || check(spec, &controller, options))?;
     Ok(Verified { controller, unminimized_states: raw.states, product_nodes })
+}
+
+/// A winning strategy; one in which every super step ends, if there is such a one.
+fn strategy(game: &Game, solution: &Solution) -> Result<Strategy, Failure> {
+    let extract =
+        |solution| extract(game, solution).map_err(|error| Failure::Inconsistent(error.to_string()));
+    let strategy = extract(solution)?;
+    // Hardly ever: solving the game twice would be a waste otherwise.
+    if strategy.endless_run(game).is_some() {
+        let ending = solve_ending(game);
+        if ending.wins(game.initial) {
+            return extract(&ending);
+        }
+    }
+    Ok(strategy)
+}
+
+fn merged(explored: &mut Explored<'_>, strategy: &Strategy) -> Result<Controller, EndlessSuperStep> {
+    let alphabet = alphabet(&explored.playout);
+    let Explored { playout, store, game } = explored;
+    let mut config = Config::default();
+    merge(game, strategy, &alphabet, &mut |state| {
+        if state as usize >= store.len() {
+            return Vec::new();
+        }
+        store.load(state, &mut config);
+        playout.owed(&config)
+    })
 }
 
 /// Verifies a controller, this project's own or another.
@@ -367,3 +388,6 @@ fn unrealizable(solved: &Solved<'_>, timings: &mut Timings) -> Failure {
         None => Failure::Inconsistent("the environment wins, but no play shows it".to_owned()),
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,6 @@
 //! The real pipeline in the shape that tests want.
 
-use synth_core::diagnostic::render;
+use synth_core::diagnostic::{Code, render};
 use synth_core::model::Spec;
 use synth_core::pipeline::{Failure, Options, Solved, Timings, play_and_solve, specification};
 use synth_core::playout::Semantics;
@@ -35,4 +35,10 @@ pub fn options(classic: bool, states: usize) -> Options {
 /// As [`play_and_solve`].
 pub fn solved<'s>(spec: &'s Spec, options: &Options) -> Result<Solved<'s>, Failure> {
     play_and_solve(spec, options, &mut Timings::default())
+}
+
+/// Whether the system wins only by a super step that never ends, so that there is no controller.
+#[must_use]
+pub fn is_endless(failure: &Failure) -> bool {
+    failure.diagnostics().iter().any(|diagnostic| diagnostic.code == Code::EndlessSuperStep)
 }

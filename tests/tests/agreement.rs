@@ -13,6 +13,8 @@ use synth_core::pipeline::{Failure, Solved, Timings, synthesize};
 struct Tally {
     realizable: usize,
     unrealizable: usize,
+    /// The system wins, but only by a super step that never ends.
+    endless: usize,
     mistakes: usize,
     too_large: usize,
 }
@@ -127,6 +129,7 @@ fn agree(text: &str, classic: bool, most: usize, tally: &mut Tally) -> Result<()
     match synthesize(&mut solved, &options, &mut Timings::default()) {
         Ok(_) => tally.realizable += 1,
         Err(Failure::Unrealizable(_)) if !solved.solution.wins(0) => tally.unrealizable += 1,
+        Err(failure) if fast::is_endless(&failure) && solved.solution.wins(0) => tally.endless += 1,
         Err(failure) => return Err(format!("synthesis: {failure:?}")),
     }
     Ok(())

@@ -13,6 +13,7 @@ fn controller(spec: &Spec, options: &Options) -> Option<Controller> {
     match synthesize(&mut solved, options, &mut Timings::default()) {
         Ok(verified) => Some(verified.controller),
         Err(Failure::Unrealizable(_)) => None,
+        Err(failure) if fast::is_endless(&failure) => None,
         Err(failure) => panic!("{failure:?}"),
     }
 }

@@ -67,8 +67,8 @@ fn what_the_controller_plays_is_a_script() {
     for name in crate::support::realizable() {
         let mut script = String::new();
         let mut last = play(&name, "--strategy", "");
-        // Thirty events, always the last that is enabled.
-        for _ in 0..30 {
+        // Twelve events, always the last that is enabled.
+        for _ in 0..12 {
             let all = lines(&last);
             let enabled = match all.last() {
                 Some(line) => line["enabled"].clone(),

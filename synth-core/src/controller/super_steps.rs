@@ -10,13 +10,13 @@ use std::{collections::BTreeMap, error::Error, fmt};
 /// from ever meeting it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct EndlessSuperStep {
-    /// The node of the strategy in which it begins.
+    /// A node of the strategy to which it comes back.
     pub node: u32,
 }
 
 impl fmt::Display for EndlessSuperStep {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the super step that begins in node {} never ends", self.node)
+        write!(f, "the super step that comes back to node {} never ends", self.node)
     }
 }
 
@@ -48,7 +48,9 @@ pub fn merge(
     let mut environment = vec![Vec::new(); vocabulary.events.len()];
     let mut super_steps = Vec::new();
     let mut owed_per_state = Vec::new();
-    walk.check_runs()?;
+    if let Some(node) = strategy.endless_run(game) {
+        return Err(EndlessSuperStep { node });
+    }
     walk.visit(0);
     let mut source = 0;
     while let Some(&node) = walk.nodes.get(source as usize) {
@@ -177,25 +179,6 @@ impl<'a> Walk<'a> {
         }
         let edge = self.strategy.edges_of(node).next()?;
         Some((self.game.label[self.strategy.edge[edge] as usize], self.strategy.target[edge]))
-    }
-
-    /// Every run of choices must end.
-    fn check_runs(&self) -> Result<(), EndlessSuperStep> {
-        // Per node: the run, by its first node, that was the first to come by.
-        let mut run = vec![NONE; self.strategy.nodes()];
-        for begin in 0..self.strategy.nodes() as u32 {
-            let mut node = begin;
-            while run[node as usize] == NONE
-                && let Some((_, next)) = self.choice(node)
-            {
-                run[node as usize] = begin;
-                node = next;
-                if run[node as usize] == begin {
-                    return Err(EndlessSuperStep { node: begin });
-                }
-            }
-        }
-        Ok(())
     }
 
     /// The state for a node that is entered; yields are skipped (one yield leads to the environment's turn).
@@ -467,7 +450,7 @@ mod tests {
         assert_eq!(asked, [0, 2, 3]);
     }
 
-    /// The node in which a super step begins that never ends.
+    /// The node to which a super step comes back.
     #[track_caller]
     fn check_endless(input: &str, node: u32) {
         let nodes = parse(input);
@@ -479,14 +462,14 @@ mod tests {
 
     #[test]
     fn a_run_without_end_is_refused() {
-        check_endless("0: a 1 \n 1! log.x 2 \n 2! log.y 3 \n 3! log.x 2", 1);
+        check_endless("0: a 1 \n 1! log.x 2 \n 2! log.y 3 \n 3! log.x 2", 2);
         check_endless("0! log.x 0", 0);
     }
 
     #[test]
     fn a_circle_of_yields_is_refused() {
         check_endless("0: a 1 \n 1! yield 1", 1);
-        check_endless("0: a 1 \n 1! log.x 2 \n 2! yield 2", 1);
+        check_endless("0: a 1 \n 1! log.x 2 \n 2! yield 2", 2);
     }
 
     #[test]

@@ -97,13 +97,13 @@ impl Layers {
         let mut layers = Layers { order: vec![NONE; states], core: vec![NONE; states], goal: Vec::new() };
         let mut removed = 0;
         let mut region = Region::new(game, predecessors);
-        let mut pursuit = Pursuit::new(game, predecessors, assumptions);
+        let mut pursuit = Pursuit::new(game, predecessors, false);
         let mut progress = FixedBitSet::with_capacity(game.edges());
         layers.record(&region, &mut removed);
         let (mut goal, mut settled) = (0, 0);
         while settled < goals.len() && region.states.contains(game.initial as usize) {
             settled += 1;
-            let lost = pursuit.run(&goals[goal], &region.states, &mut progress);
+            let lost = pursuit.run(&goals[goal], assumptions, &region.states, &mut progress);
             if !lost.is_clear() {
                 for state in lost.ones() {
                     layers.core[state] = layers.goal.len() as u32;

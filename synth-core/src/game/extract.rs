@@ -55,7 +55,9 @@ pub fn extract(game: &Game, solution: &Solution) -> Result<Strategy, ExtractErro
     let mut displaced = vec![false; goals.len()];
     let missed = loop {
         let strategy = Builder::new(game, solution, &goals, &order, &[]).build()?;
-        let Some(missed) = first_missed(game, &strategy, &goals) else { return Ok(strategy) };
+        let Some(missed) = first_missed(game, &strategy, &goals, solution.ending) else {
+            return Ok(strategy);
+        };
         if std::mem::replace(&mut displaced[missed], true) {
             break missed;
         }
@@ -65,7 +67,9 @@ pub fn extract(game: &Game, solution: &Solution) -> Result<Strategy, ExtractErro
     add(&mut rotation, missed)?;
     loop {
         let strategy = Builder::new(game, solution, &goals, &order, &rotation).build()?;
-        let Some(missed) = first_missed(game, &strategy, &goals) else { return Ok(strategy) };
+        let Some(missed) = first_missed(game, &strategy, &goals, solution.ending) else {
+            return Ok(strategy);
+        };
         add(&mut rotation, missed)?;
     }
 }

@@ -7,15 +7,23 @@
 
 use super::{Game, Strategy, acceptance::Acceptance};
 
-/// The first goal that some play of the strategy, fair to all assumptions, misses.
-pub(super) fn first_missed(game: &Game, strategy: &Strategy, goals: &[Acceptance]) -> Option<usize> {
+/// The first goal that some play of the strategy, fair to all assumptions, misses. If `ending`, the last goal, the end of
+/// super steps, must also be met by plays that are not fair.
+pub(super) fn first_missed(
+    game: &Game,
+    strategy: &Strategy,
+    goals: &[Acceptance],
+    ending: bool,
+) -> Option<usize> {
     let mut is_assumption = vec![false; game.key_sets.keys() as usize];
     for &key in &game.assumptions {
         is_assumption[key as usize] = true;
     }
     let mut components = Components::new(strategy.nodes());
-    goals.iter().position(|goal| {
-        let part = Part { game, strategy, goal, is_assumption: &is_assumption };
+    let none = vec![false; is_assumption.len()];
+    (0..goals.len()).find(|&goal| {
+        let is_assumption = if ending && goal + 1 == goals.len() { &none } else { &is_assumption };
+        let part = Part { game, strategy, goal: &goals[goal], is_assumption };
         components.any(&part, |component, of| part.is_fair(component, of))
     })
 }

@@ -16,7 +16,7 @@ mod strategy;
 pub use counter::{CounterPlay, Loss, can_meet, counter_play};
 pub use extract::{ExtractError, extract};
 pub use keysets::{KeySets, KeySetsBuilder};
-pub use solve::{Solution, solve};
+pub use solve::{Solution, solve, solve_ending};
 pub use strategy::Strategy;
 
 /// Whose turn it is in a state, by the rules of the language reference, section 4 (cases 1 to 6).

@@ -14,6 +14,9 @@
 //! So along moves that make *progress* (to a lower rank, or inside an avoidance without accepting its assumption)
 //! ranks never rise until the goal is accepted, and if they stay the same for ever, then in an avoidance.
 //!
+//! If super steps must end, an avoidance is also such that the end of the super step can always be reached in it, and
+//! only moves towards that end make progress.
+//!
 //! What is left in the end is the environment's: no system state has an edge to good states or one that accepts, each
 //! environment state has a choice that stays and does not, and for every `A` the environment can force its
 //! acceptance inside `left`, since otherwise there would be an avoidance. So it accepts them all in rotation.
@@ -24,13 +27,15 @@ use super::{
     predecessors::{Incoming, Predecessors},
 };
 use fixedbitset::FixedBitSet;
+use std::collections::VecDeque;
 
 /// Pursues goals one after the other, with arrays that are allocated once.
 #[derive(Debug)]
 pub(super) struct Pursuit<'g> {
     game: &'g Game,
     predecessors: &'g Predecessors,
-    assumptions: &'g [Acceptance],
+    /// Super steps must end in an avoidance, too.
+    ending: bool,
     /// The states not known to be good.
     left: FixedBitSet,
     /// Per good state in which the goal is open: its rank, from 1.
@@ -46,16 +51,18 @@ pub(super) struct Pursuit<'g> {
     /// Of an environment state in `left`: its choices that stay in `left` and do not accept the goal. Of a system
     /// state in `kept`: its edges that stay in `kept` and do not accept the assumption.
     choices: Vec<u32>,
+    /// If super steps must end, per state in `kept`: how many choices of the system their end takes at least.
+    distance: Vec<u32>,
 }
 
 impl<'g> Pursuit<'g> {
     /// No goal is pursued yet.
-    pub(super) fn new(game: &'g Game, predecessors: &'g Predecessors, assumptions: &'g [Acceptance]) -> Self {
+    pub(super) fn new(game: &'g Game, predecessors: &'g Predecessors, ending: bool) -> Self {
         let states = game.states();
         Pursuit {
             game,
             predecessors,
-            assumptions,
+            ending,
             left: FixedBitSet::with_capacity(states),
             rank: vec![0; states],
             good: Vec::new(),
@@ -63,14 +70,16 @@ impl<'g> Pursuit<'g> {
             kept: FixedBitSet::with_capacity(states),
             dropped: Vec::new(),
             choices: vec![0; states],
+            distance: vec![0; if ending { states } else { 0 }],
         }
     }
 
-    /// Pursues `goal` inside `region`: the states from which the environment wins against it, and in `progress` the
-    /// edges of the other system states that make progress.
+    /// Pursues `goal`, or the avoidance of one of the assumptions, inside `region`: the states from which the
+    /// environment wins against it, and in `progress` the edges of the other system states that make progress.
     pub(super) fn run(
         &mut self,
         goal: &Acceptance,
+        assumptions: &[Acceptance],
         region: &FixedBitSet,
         progress: &mut FixedBitSet,
     ) -> &FixedBitSet {
@@ -79,14 +88,14 @@ impl<'g> Pursuit<'g> {
         self.attract(goal, region, progress);
         // The assumptions in rotation, until none of them has an avoidance any more.
         let (mut assumption, mut without) = (0, 0);
-        while without < self.assumptions.len() && !self.left.is_clear() {
+        while without < assumptions.len() && !self.left.is_clear() {
             without += 1;
-            if self.avoid(&self.assumptions[assumption], goal) {
-                self.collect_kept(&self.assumptions[assumption], progress);
+            if self.avoid(&assumptions[assumption], goal) {
+                self.collect_kept(&assumptions[assumption], progress);
                 self.attract(goal, region, progress);
                 without = 0;
             }
-            assumption = (assumption + 1) % self.assumptions.len();
+            assumption = (assumption + 1) % assumptions.len();
         }
         &self.left
     }
@@ -200,6 +209,15 @@ impl<'g> Pursuit<'g> {
         for &state in &self.dropped {
             self.kept.set(state as usize, false);
         }
+        self.drop_all(assumption, goal);
+        while self.ending && self.drop_endless(assumption) {
+            self.drop_all(assumption, goal);
+        }
+        !self.kept.is_clear()
+    }
+
+    /// Drops the states that cannot be kept without those in `dropped`.
+    fn drop_all(&mut self, assumption: &Acceptance, goal: &Acceptance) {
         while let Some(state) = self.dropped.pop() {
             for &Incoming { source, discharged } in self.predecessors.of(state) {
                 let index = source as usize;
@@ -221,7 +239,37 @@ impl<'g> Pursuit<'g> {
                 self.dropped.push(source);
             }
         }
-        !self.kept.is_clear()
+    }
+
+    /// Computes `distance`, and drops the states from which no super step ends among the kept ones; whether there are
+    /// any.
+    fn drop_endless(&mut self, assumption: &Acceptance) -> bool {
+        const FAR: u32 = u32::MAX;
+        let mut reached: VecDeque<u32> = VecDeque::new();
+        for state in self.kept.ones() {
+            if self.game.turn[state].is_system() {
+                self.distance[state] = FAR;
+            } else {
+                self.distance[state] = 0;
+                reached.push_back(state as u32);
+            }
+        }
+        while let Some(state) = reached.pop_front() {
+            for &Incoming { source, discharged } in self.predecessors.of(state) {
+                let index = source as usize;
+                if self.kept.contains(index) && self.distance[index] == FAR && !assumption.accepts(discharged)
+                {
+                    self.distance[index] = self.distance[state as usize] + 1;
+                    reached.push_back(source);
+                }
+            }
+        }
+        let endless = self.kept.ones().filter(|&state| self.distance[state] == FAR);
+        self.dropped.extend(endless.map(|state| state as u32));
+        for &state in &self.dropped {
+            self.kept.set(state as usize, false);
+        }
+        !self.dropped.is_empty()
     }
 
     /// Makes the states of an avoidance good, all with the same rank.
@@ -233,8 +281,10 @@ impl<'g> Pursuit<'g> {
             self.good.push(state as u32);
             if self.game.turn[state].is_system() {
                 for edge in self.game.edges_of(state as u32) {
+                    let target = self.game.target[edge] as usize;
                     if !assumption.accepts(self.game.discharged[edge])
-                        && self.kept.contains(self.game.target[edge] as usize)
+                        && self.kept.contains(target)
+                        && (!self.ending || self.distance[target] < self.distance[state])
                     {
                         progress.insert(edge);
                     }

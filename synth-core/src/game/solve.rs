@@ -28,6 +28,8 @@ pub struct Solution {
     pub(super) progress: Vec<FixedBitSet>,
     /// Per winning system state: how many system choices the rest of the super step takes at least.
     pub(super) remaining: Vec<u32>,
+    /// Super steps end whatever becomes of the assumptions.
+    pub(super) ending: bool,
 }
 
 impl Solution {
@@ -51,19 +53,36 @@ impl Solution {
 /// state and of a goal and an edge.
 #[must_use]
 pub fn solve(game: &Game) -> Solution {
+    solve_for(game, false)
+}
+
+/// Solves the game for a system that wants more: that every super step ends, in plays that are not fair to the
+/// assumptions, too.
+///
+/// By the winning condition alone a super step without end can be won, since it keeps the environment from meeting an
+/// assumption; but no controller can do it. A system that wins here needs none. Where it does not, it wins [`solve`]
+/// only by super steps without end.
+#[must_use]
+pub fn solve_ending(game: &Game) -> Solution {
+    solve_for(game, true)
+}
+
+fn solve_for(game: &Game, ending: bool) -> Solution {
     let predecessors = Predecessors::new(game);
     let assumptions = Acceptance::assumptions(game);
     let goals = Acceptance::goals(game);
     let mut region = Region::new(game, &predecessors);
-    let mut pursuit = Pursuit::new(game, &predecessors, &assumptions);
+    let mut pursuit = Pursuit::new(game, &predecessors, ending);
     let super_steps = goals.len() - 1;
+    // What may be avoided instead of meeting a goal.
+    let avoidable = |goal: usize| if ending && goal == super_steps { &[] } else { assumptions.as_slice() };
     let mut progress = vec![FixedBitSet::with_capacity(game.edges()); goals.len()];
     let mut settled = vec![false; goals.len()];
     let mut goal = 0;
     while settled.contains(&false) {
         if !settled[goal] {
             settled[goal] = true;
-            let lost = pursuit.run(&goals[goal], &region.states, &mut progress[goal]);
+            let lost = pursuit.run(&goals[goal], avoidable(goal), &region.states, &mut progress[goal]);
             if !lost.is_clear() {
                 region.remove(game, &predecessors, lost);
                 for ((goal, progress), settled) in goals.iter().zip(&progress).zip(&mut settled) {
@@ -74,10 +93,11 @@ pub fn solve(game: &Game) -> Solution {
         goal = (goal + 1) % goals.len();
     }
     let remaining = {
-        pursuit.run(&goals[super_steps], &region.states, &mut progress[super_steps]);
+        let progress = &mut progress[super_steps];
+        pursuit.run(&goals[super_steps], avoidable(super_steps), &region.states, progress);
         pursuit.into_ranks()
     };
-    Solution { winning: region.states, progress, remaining }
+    Solution { winning: region.states, progress, remaining, ending }
 }
 
 /// Whether what a pursuit found out still holds after the last removal from the region.

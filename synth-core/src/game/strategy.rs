@@ -1,5 +1,7 @@
 //! A winning strategy as a graph.
 
+use super::Game;
+
 /// A deterministic strategy with memory, as the graph of its plays.
 ///
 /// A node is a game state together with what the controller remembers there. A node whose game state is the
@@ -22,6 +24,25 @@ impl Strategy {
     #[must_use]
     pub fn nodes(&self) -> usize {
         self.state.len()
+    }
+
+    /// A node to which a run of choices of the system comes back, so that it never ends, if there is one.
+    #[must_use]
+    pub fn endless_run(&self, game: &Game) -> Option<u32> {
+        const NONE: u32 = u32::MAX;
+        // Per node: the run, by its first node, that was the first to come by.
+        let mut run = vec![NONE; self.nodes()];
+        (0..self.nodes() as u32).find_map(|begin| {
+            let mut node = begin;
+            while run[node as usize] == NONE
+                && game.turn[self.state[node as usize] as usize].is_system()
+                && let Some(edge) = self.edges_of(node).next()
+            {
+                run[node as usize] = begin;
+                node = self.target[edge];
+            }
+            (run[node as usize] == begin).then_some(node)
+        })
     }
 
     /// The edges of a shortest play to `node`.

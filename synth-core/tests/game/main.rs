@@ -8,7 +8,7 @@ use proptest::bool::weighted;
 use proptest::collection::vec;
 use proptest::prelude::{Just, ProptestConfig, Strategy as Strategy_, any, prop_oneof, proptest};
 use synth_core::game::{
-    ExtractError, Game, KeySetsBuilder, Strategy, Turn, YIELD, counter_play, extract, solve,
+    ExtractError, Game, KeySetsBuilder, Strategy, Turn, YIELD, counter_play, extract, solve, solve_ending,
 };
 
 /// A state for [`game`].
@@ -54,14 +54,14 @@ pub(crate) fn game(states: &[State], assumptions: u32, guarantees: u32) -> Game 
 pub(crate) fn solved(game: &Game) -> Option<Strategy> {
     let solution = solve(game);
     let naive = naive::Graph::new(game);
-    let winning = naive.winning();
+    let winning = naive.winning(false);
     let expected: Vec<usize> = (0..naive.states).filter(|&state| winning[state]).collect();
     assert_eq!(solution.winning.ones().collect::<Vec<_>>(), expected);
     assert_eq!(solution.winning_states(), expected.len());
     match extract(game, &solution) {
         Ok(strategy) => {
             assert!(solution.wins(game.initial));
-            naive::assert_wins(game, &strategy);
+            naive::assert_wins(game, &strategy, false);
             assert_eq!(extract(game, &solve(game)).as_ref(), Ok(&strategy));
             Some(strategy)
         }
@@ -73,6 +73,20 @@ pub(crate) fn solved(game: &Game) -> Option<Strategy> {
             None
         }
     }
+}
+
+/// The same where super steps must end whatever becomes of the assumptions.
+pub(crate) fn solved_ending(game: &Game) -> Option<Strategy> {
+    let solution = solve_ending(game);
+    let winning = naive::Graph::new(game).winning(true);
+    let expected: Vec<usize> = (0..game.states()).filter(|&state| winning[state]).collect();
+    assert_eq!(solution.winning.ones().collect::<Vec<_>>(), expected);
+    let strategy = extract(game, &solution).ok();
+    assert_eq!(strategy.is_some(), winning[game.initial as usize]);
+    if let Some(strategy) = &strategy {
+        naive::assert_wins(game, strategy, true);
+    }
+    strategy
 }
 
 fn keys(keys: u32, probability: f64) -> impl Strategy_<Value = Vec<u32>> {
@@ -144,5 +158,19 @@ proptest! {
     #[test]
     fn agrees_with_the_naive_solver_where_memory_is_needed(game in random_game(DEMANDING)) {
         solved(&game);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn agrees_with_the_naive_solver_where_super_steps_must_end(game in random_game(MIXED)) {
+        solved_ending(&game);
+    }
+
+    #[test]
+    fn agrees_with_the_naive_solver_where_they_must_end_and_memory_is_needed(game in random_game(DEMANDING)) {
+        solved_ending(&game);
     }
 }

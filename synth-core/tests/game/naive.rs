@@ -11,6 +11,7 @@ pub(crate) struct Graph {
     pub(crate) states: usize,
     successors: Vec<Vec<usize>>,
     system: Nodes,
+    environment: Nodes,
     lost: Nodes,
     assumptions: Vec<Nodes>,
     goals: Vec<Nodes>,
@@ -60,6 +61,7 @@ impl Graph {
         Graph {
             states,
             system: is(Turn::is_system),
+            environment: is(Turn::is_environment),
             lost: is(|turn| turn == Turn::Lost),
             assumptions: game.assumptions.iter().map(meets).collect(),
             goals,
@@ -82,27 +84,40 @@ impl Graph {
         vec![value; self.successors.len()]
     }
 
-    /// νZ. ⋀j μY. ⋁i νX. (Gj ∧ cpre Z) ∨ cpre Y ∨ (¬Ai ∧ cpre X)
-    pub(crate) fn winning(&self) -> Nodes {
+    /// νZ. ⋀j μY. ⋁i νX. (Gj ∧ cpre Z) ∨ cpre Y ∨ (¬Ai ∧ cpre X). If super steps must end whatever becomes of the
+    /// assumptions, there is no Ai for the last goal, and for the others
+    /// νX. μV. (Gj ∧ cpre Z) ∨ cpre Y ∨ (¬Ai ∧ (Env ∧ cpre X ∨ cpre V)).
+    pub(crate) fn winning(&self, ending: bool) -> Nodes {
         let never = vec![self.filled(true)];
-        let assumptions = if self.assumptions.is_empty() { &never } else { &self.assumptions };
         let mut z = self.filled(true);
         loop {
             let mut next_z = self.filled(true);
-            for goal in &self.goals {
+            for (index, goal) in self.goals.iter().enumerate() {
+                let last = ending && index + 1 == self.goals.len();
+                let assumptions =
+                    if last || self.assumptions.is_empty() { &never } else { &self.assumptions };
                 let mut y = self.filled(false);
                 loop {
                     let mut next_y = self.filled(false);
                     for assumption in assumptions {
                         let mut x = self.filled(true);
                         loop {
-                            let next_x: Nodes = (0..x.len())
-                                .map(|node| {
-                                    goal[node] && self.controllable(&z, node)
-                                        || self.controllable(&y, node)
-                                        || !assumption[node] && self.controllable(&x, node)
-                                })
-                                .collect();
+                            let mut v = if ending { self.filled(false) } else { x.clone() };
+                            let next_x = loop {
+                                let next_v: Nodes = (0..x.len())
+                                    .map(|node| {
+                                        let stays = self.controllable(&v, node)
+                                            || self.environment[node] && self.controllable(&x, node);
+                                        goal[node] && self.controllable(&z, node)
+                                            || self.controllable(&y, node)
+                                            || !assumption[node] && stays
+                                    })
+                                    .collect();
+                                if !ending || next_v == v {
+                                    break next_v;
+                                }
+                                v = next_v;
+                            };
                             if next_x == x {
                                 break;
                             }
@@ -125,7 +140,7 @@ impl Graph {
     }
 
     /// Panics if some play of this graph, all of whose nodes are reachable, is lost: whoever chooses.
-    fn assert_every_play_is_won(&self) {
+    fn assert_every_play_is_won(&self, ending: bool) {
         let nodes = self.successors.len();
         for (index, goal) in self.goals.iter().enumerate() {
             // `reach[u][v]`: a path of at least one step from u to v through nodes that miss the goal.
@@ -145,8 +160,8 @@ impl Graph {
             }
             for node in (0..nodes).filter(|&node| reach[node][node]) {
                 let around = |other: usize| reach[node][other] && reach[other][node];
-                let fair =
-                    self.assumptions.iter().all(|met| (0..nodes).any(|other| met[other] && around(other)));
+                let fair = ending && index + 1 == self.goals.len()
+                    || self.assumptions.iter().all(|met| (0..nodes).any(|other| met[other] && around(other)));
                 assert!(!fair, "goal {index} is missed around node {node}");
             }
         }
@@ -155,7 +170,7 @@ impl Graph {
 }
 
 /// Panics unless the strategy is a well-formed one of the game and wins.
-pub(crate) fn assert_wins(game: &Game, strategy: &Strategy) {
+pub(crate) fn assert_wins(game: &Game, strategy: &Strategy, ending: bool) {
     assert_eq!(strategy.state[0], game.initial);
     let mut found = 1;
     for node in 0..strategy.nodes() as u32 {
@@ -190,5 +205,5 @@ pub(crate) fn assert_wins(game: &Game, strategy: &Strategy) {
         assumptions: game.assumptions.clone(),
         guarantees: game.guarantees.clone(),
     };
-    Graph::new(&played).assert_every_play_is_won();
+    Graph::new(&played).assert_every_play_is_won(ending);
 }

@@ -1,6 +1,6 @@
 //! Games made by hand. Key `A` is that of an assumption, `G` and `H` are those of guarantees.
 
-use super::{State, game, solved};
+use super::{State, game, solved, solved_ending};
 use synth_core::game::Turn;
 
 const A: u32 = 0;
@@ -93,6 +93,22 @@ fn a_super_step_has_to_end() {
 fn a_super_step_without_end_wins_while_an_assumption_is_open() {
     // Not a welcome win, but the winning condition says so: the environment is kept from meeting its assumption.
     check(&[system(&[A], [(0, &[])])], &[0]);
+}
+
+#[test]
+fn a_super_step_without_end_does_not_win_where_super_steps_must_end() {
+    assert_eq!(solved_ending(&game(&[system(&[A], [(0, &[])])], 1, 2)), None);
+}
+
+#[test]
+fn super_steps_end_where_that_is_possible() {
+    // Two assumptions, 0 and 1. A super step without end meets neither; one that ends still does not meet the second.
+    let states = [system(&[0, 1, 2], [(0, &[]), (1, &[])]), environment(&[1, 2], [(0, &[])])];
+    let game = game(&states, 2, 1);
+    let endless = solved(&game).expect("a strategy");
+    assert_eq!((endless.state.as_slice(), endless.endless_run(&game)), ([0].as_slice(), Some(0)));
+    let ending = solved_ending(&game).expect("a strategy");
+    assert_eq!((ending.state.as_slice(), ending.endless_run(&game)), ([0, 1].as_slice(), None));
 }
 
 #[test]

@@ -1,0 +1,106 @@
+use super::*;
+use crate::syntax::load;
+
+const WORLD: &str = "specification World {
+  domain d {
+    class User { }
+    class Control { press() release() }
+    class Lamp { on() off() }
+  }
+  object user: User
+  object control: Control
+  object lamp: Lamp
+  controllable { Control }
+  collaboration C {
+BODY
+  }
+}";
+
+/// The super steps of the controller, or the code, the line and the notes of the mistake.
+fn synthesized(body: &str) -> String {
+    let text = WORLD.replace("BODY", body);
+    let loaded = load("world.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
+    let spec = specification(&loaded).expect("a specification");
+    let mut timings = Timings::default();
+    let options = Options::default();
+    let mut solved = play_and_solve(&spec, &options, &mut timings).expect("a game");
+    let lines = match synthesize(&mut solved, &options, &mut timings) {
+        Ok(Verified { controller, .. }) => {
+            let text = |&event: &u32| controller.commands[event as usize].text.as_str();
+            let steps = controller.super_steps.iter();
+            steps.map(|step| step.events.iter().map(text).collect::<Vec<_>>().join(", ")).collect()
+        }
+        Err(Failure::Wrong(diagnostics)) => {
+            let of = |d: &Diagnostic| {
+                [vec![format!("{} in line {}", d.code, d.span.start.line)], d.notes.clone()].concat()
+            };
+            diagnostics.iter().flat_map(of).collect::<Vec<_>>()
+        }
+        Err(failure) => panic!("{failure:?}"),
+    };
+    lines.join("\n")
+}
+
+#[track_caller]
+fn check(body: &str, expect: &str) {
+    let trim = |text: &str| text.lines().map(str::trim).collect::<Vec<_>>().join("\n");
+    assert_eq!(trim(&synthesized(body)), trim(expect));
+}
+
+#[test]
+fn a_super_step_that_never_ends_is_no_controller() {
+    // If the environment ever gets the turn, it keeps the assumption and is silent for ever.
+    check(
+        "assumption scenario A { user -> control.press() eventually user -> control.release() }
+         guarantee scenario G { user -> control.press() while { eventually control -> lamp.on() } }",
+        "SML0072 in line 13
+         it keeps the environment from ever meeting an assumption that is still open; no controller can do that
+         the shortest play that leads there:
+           user -> control.press()
+         and then, for ever:
+           control -> lamp.on()",
+    );
+}
+
+#[test]
+fn committed_messages_without_end_are_no_controller() {
+    check(
+        "assumption scenario A { user -> control.press() eventually user -> control.release() }
+         guarantee scenario G { user -> control.press() while {
+           committed control -> lamp.on()
+           committed control -> lamp.off()
+         } }",
+        "SML0072 in line 14
+         it keeps the environment from ever meeting an assumption that is still open; no controller can do that
+         the shortest play that leads there:
+           user -> control.press()
+         and then, for ever:
+           control -> lamp.on()
+           control -> lamp.off()",
+    );
+}
+
+#[test]
+fn a_loop_that_waits_for_the_environment_ends_its_super_steps() {
+    check(
+        "assumption scenario A { user -> control.press() eventually user -> control.release() }
+         guarantee scenario G { while { user -> control.press() eventually control -> lamp.on() } }",
+        "control -> lamp.on()",
+    );
+}
+
+#[test]
+fn the_play_ends_where_the_loop_begins() {
+    check(
+        "assumption scenario A { user -> control.press() eventually user -> control.release() }
+         guarantee scenario G { user -> control.press() urgent control -> lamp.off()
+           while { urgent control -> lamp.on() } }",
+        "SML0072 in line 14
+         it keeps the environment from ever meeting an assumption that is still open; no controller can do that
+         the shortest play that leads there:
+           user -> control.press()
+           control -> lamp.off()
+         and then, for ever:
+           control -> lamp.on()",
+    );
+}
