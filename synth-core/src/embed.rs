@@ -69,3 +69,26 @@ fn advise_inline(diagnostic: Diagnostic) -> Diagnostic {
         _ => diagnostic,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::syntax::Span;
+
+    #[track_caller]
+    fn check(path: &str, expect: &str) {
+        let loaded = load(path, b"", &mut |_| Err(String::new()));
+        let limit =
+            Diagnostic::error(Code::LimitReached, Span::default(), "too large").help("raise `--max-states`");
+        assert_eq!(advise(limit, &loaded).help.as_deref(), Some(expect));
+    }
+
+    #[test]
+    fn beyond_the_limit_a_build_script_helps() {
+        check(
+            "specs/line.sml",
+            "move it to a build script: `synth_core::build::compile(\"specs/line.sml\")`",
+        );
+        check(INLINE, "move it to a build script: `synth_core::build::compile(\"cell.sml\")`");
+    }
+}

@@ -206,15 +206,26 @@ fn missing_files_are_named() -> io::Result<()> {
     Ok(())
 }
 
+#[test]
+fn limits_are_those_of_the_script() -> io::Result<()> {
+    let compile = "synth_core::build::Build::new().max_states(2).compile(\"specs/cell.sml\");";
+    let package = Package::with_script("script-limit", compile)?;
+    package.check_failure(&[
+        "error[SML0054]: the limit of 2 states was reached",
+        "help: raise it with `synth_core::build::Build`",
+    ]);
+    Ok(())
+}
+
 /// Build scripts are compiled without optimisation, and so are their dependencies.
 #[test]
 fn production_cell_takes_less_than_a_second() -> io::Result<()> {
     let compile = "let start = std::time::Instant::now();\n    \
-                   synth_core::build::compile(\"specs/cell.sml\");\n    \
+                   synth_core::build::compile(\"specs/production.cell.sml\");\n    \
                    std::fs::write(\"microseconds.txt\", start.elapsed().as_micros().to_string()).unwrap();";
     let package = Package::with_script("script-time", compile)?;
-    package.write("specs/cell.sml", &fs::read_to_string("specs/production_cell/spec.sml")?)?;
-    let main = "include!(concat!(env!(\"OUT_DIR\"), \"/cell.rs\"));\n\
+    package.write("specs/production.cell.sml", &fs::read_to_string("specs/production_cell/spec.sml")?)?;
+    let main = "include!(concat!(env!(\"OUT_DIR\"), \"/production.cell.rs\"));\n\
                 fn main() { println!(\"{}\", production_cell::Controller::new().state()); }";
     package.write("src/main.rs", main)?;
     package.check_run("0");

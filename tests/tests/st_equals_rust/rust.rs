@@ -43,7 +43,7 @@ pub(crate) fn read(text: &str) -> Controller {
     let mut controller = Controller::default();
     let mut doc = "";
     for (at, token) in module.iter().enumerate() {
-        let [first, name, ..] = &module[at..] else { break };
+        let [_, name, ..] = &module[at..] else { break };
         match token {
             Token::Doc(text) => doc = text.trim(),
             Token::Word(word) if word == "impl" => initial(&module[at..], &mut controller),
@@ -57,7 +57,7 @@ pub(crate) fn read(text: &str) -> Controller {
                     controller.components.push(Component { object, commands, codes: Vec::new() });
                 }
             }
-            Token::Word(_) if first.is("static") => {
+            Token::Word(word) if word == "static" => {
                 let end = module[at..].iter().position(|token| token.is(";")).expect("an end");
                 table(doc, name.word(), &module[at..at + end], &mut controller);
             }
@@ -143,11 +143,10 @@ fn tokens(stream: TokenStream) -> Vec<Token> {
             TokenTree::Punct(punct) if punct.as_char() == '#' => {
                 let Some(TokenTree::Group(group)) = trees.next() else { continue };
                 let attribute: Vec<TokenTree> = group.stream().into_iter().collect();
-                if let [TokenTree::Ident(name), _, TokenTree::Literal(text)] = attribute.as_slice() {
-                    if name == "doc" {
-                        let text = text.to_string();
-                        out.push(Token::Doc(text.trim_matches('"').to_owned()));
-                    }
+                if let [TokenTree::Ident(name), _, TokenTree::Literal(text)] = attribute.as_slice()
+                    && name == "doc"
+                {
+                    out.push(Token::Doc(text.to_string().trim_matches('"').to_owned()));
                 }
             }
             TokenTree::Group(group) => out.push(Token::Group(group.delimiter(), tokens(group.stream()))),
