@@ -129,7 +129,8 @@ codes! {
         "The section `controllable { … }` names the classes whose objects are the system. Without one there is nothing \
          to build a controller for.\n";
     EmptyScenario = 27, "a scenario without fragments",
-        "A scenario says something about messages; an empty one can neither start nor be violated.\n";
+        "A scenario says something about messages; an empty one can neither start nor be violated. Write \
+         the messages that it is about, or remove it.\n";
     OutOfRange = 28, "a constant outside its range",
         "An integer must lie within the range of the attribute, parameter or variable that takes it, and a range must \
          contain at least one value and at most 2^32.\n";
