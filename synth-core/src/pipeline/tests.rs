@@ -104,3 +104,18 @@ fn the_play_ends_where_the_loop_begins() {
            control -> lamp.on()",
     );
 }
+
+#[test]
+fn cases_without_fragments_count_as_nodes() {
+    let scenario = |cases: usize| {
+        let cases = "{ } or ".repeat(cases);
+        let body = format!("guarantee scenario S {{ user -> control.press() alternative {cases} {{ }} }}");
+        let text = WORLD.replace("BODY", &body);
+        let loaded = load("world.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
+        specification(&loaded).err().map(|failure| failure.diagnostics())
+    };
+    // Beside the cases: the scenario's body, the message, the `alternative`, and the last case.
+    assert_eq!(scenario(65_532), None);
+    let codes: Vec<Code> = scenario(65_533).expect("errors").iter().map(|d| d.code).collect();
+    assert_eq!(codes, [Code::TooLarge]);
+}
