@@ -43,7 +43,7 @@ pub enum ExploreError {
 /// Which limit was reached, and how far exploration came.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct LimitReached {
-    /// `states` or `memory`.
+    /// `states`, `memory` or `edges`.
     pub what: &'static str,
     /// The limit.
     pub limit: usize,
@@ -105,6 +105,9 @@ pub fn explore<'s>(
     explorer.run(limits)?;
     Ok(explorer.finish())
 }
+
+/// Edges have `u32` ids, and those of one more state must still fit.
+const MOST_EDGES: usize = (u32::MAX - (1 << 24)) as usize;
 
 /// Stands for the losing and the won state until all others have their numbers.
 const LOST: u32 = u32::MAX;
@@ -174,8 +177,8 @@ impl<'s> Explorer<'s> {
             ("states", limits.states)
         } else if memory > limits.memory {
             ("memory", limits.memory)
-        } else if edges > (u32::MAX - (1 << 24)) as usize {
-            ("edges", u32::MAX as usize)
+        } else if edges > MOST_EDGES {
+            ("edges", MOST_EDGES)
         } else {
             return Ok(());
         };
