@@ -1,8 +1,8 @@
 //! Events: interned, and the universe of what the environment could ever send.
 
 use super::PlayError;
-use super::indexed::Indexed;
 use crate::diagnostic::Code;
+use crate::intern::Indexed;
 use crate::model::{
     Argument, ConstraintKind, Kind, Message, ObjectId, OperationId, RoleRef, Scenario, SlotId, Spec, Value,
 };
