@@ -43,7 +43,10 @@ impl Resolver {
         self.check_unique("role", collaboration.roles.iter().map(|role| &role.name));
         let mut roles: Vec<Role> = Vec::new();
         for role in &collaboration.roles {
-            let Some(class) = self.class(&role.class) else { continue };
+            let Some(class) = self.class(&role.class) else {
+                self.lost.insert(role.name.text.clone());
+                continue;
+            };
             let object = match self.names.get(&role.name.text) {
                 Some(&(Meaning::Object(object), place)) => Some((object, place)),
                 _ => None,
@@ -325,7 +328,10 @@ impl Builder<'_> {
         parent: NodeId,
         span: Span,
     ) -> Option<NodeId> {
-        let ty = self.resolver.ty(ty)?;
+        let Some(ty) = self.resolver.ty(ty) else {
+            self.resolver.lost.insert(name.text.clone());
+            return None;
+        };
         let value = match value {
             Some(value) => Some(self.resolver.value_of_type(value, ty, &self.names, false)?),
             None => None,
