@@ -59,7 +59,11 @@ impl Failure {
                     format!("the limit of {} {} was reached", limit.limit, limit.unit()),
                 )
                 .note(limit.to_string())
-                .help(format!("raise `--max-{}`, or make the specification smaller", limit.what)),
+                .help(match limit.what {
+                    // No option goes beyond what ids can count.
+                    "edges" => "make the specification smaller".to_owned(),
+                    what => format!("raise `--max-{what}`, or make the specification smaller"),
+                }),
             ],
             Failure::Unverified(refutation) => vec![
                 general(Code::VerificationFailed, format!("verification failed: {}", refutation.reason))

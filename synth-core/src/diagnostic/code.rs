@@ -146,8 +146,8 @@ codes! {
         "An assumption promises what the environment does. A message with a modality in it must therefore have a sender \
          that is not controllable; what the system must do belongs into a guarantee.\n";
     TooLarge = 32, "a scenario that is too large",
-        "A scenario can have 65,534 fragments, which no one written by hand comes near. Split it: scenarios that begin \
-         with the same message start together.\n";
+        "A scenario can have 65,536 fragments, cases and branches, its body and those in it included. Split it into \
+         several scenarios.\n";
 
     MissingImport = 33, "an imported file that cannot be read",
         "The path of an `import` is relative to the file that it stands in; in the macro `sml!` and in the path that is \

@@ -43,7 +43,7 @@ pub enum ExploreError {
 /// Which limit was reached, and how far exploration came.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct LimitReached {
-    /// `states` or `memory`.
+    /// `states`, `memory` or `edges`.
     pub what: &'static str,
     /// The limit.
     pub limit: usize,

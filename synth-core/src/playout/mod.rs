@@ -13,7 +13,6 @@ mod attributes;
 mod copies;
 mod cut;
 mod events;
-mod indexed;
 mod keys;
 mod offers;
 mod react;
@@ -33,7 +32,7 @@ pub use turn::{Goal, Move, Moves};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::model::{Failure, Spec};
 use crate::syntax::Span;
-use attributes::Valuations;
+use attributes::{Valuations, valuations};
 use copies::Copies;
 use events::Events;
 use keys::Keys;
@@ -108,7 +107,7 @@ impl<'s> Playout<'s> {
             semantics,
             followed: None,
             events: Events::new(spec)?,
-            valuations: Valuations::new(&spec.domain),
+            valuations: valuations(&spec.domain),
             copies: Copies::new(),
             keys: Keys::default(),
             reactions: Reactions::default(),

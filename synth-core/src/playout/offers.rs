@@ -1,7 +1,10 @@
 //! What a copy wants: the events that messages with a modality at its cut ask for.
 
 use super::copies::{Copies, CopyId};
-use super::events::{EventId, Events, Signature, for_each_combination, links, parameter_values, players};
+use super::cut::can_hold;
+use super::events::{
+    EventId, Events, Signature, check_count, for_each_combination, links, parameter_values, players,
+};
 use super::{PlayError, ValuationId, play_error};
 use crate::diagnostic::Code;
 use crate::model::{
@@ -135,10 +138,7 @@ fn matching(
     };
     let argument = |argument: &Argument, given: Value| match argument {
         Argument::Any => true,
-        Argument::Bind(variable) => match scenario.variables[*variable].ty {
-            ty @ Type::Class(_) => spec.domain.fits(given, ty),
-            _ => true,
-        },
+        Argument::Bind(variable) => can_hold(spec, scenario.variables[*variable].ty, given),
         Argument::Value(value) => scope.eval(value) == Ok(given),
     };
     events
@@ -166,7 +166,6 @@ fn to_send(
         RoleRef::Dynamic(r) if scope.roles[r] != UNSET => vec![scope.roles[r] as usize],
         role => players(spec, scenario, role),
     };
-    let parameters = &spec.domain.operations[message.operation].parameters;
     let mut wanted = Vec::new();
     for sender in bound(message.sender).into_iter().filter(|&sender| spec.controllable[sender]) {
         for receiver in bound(message.receiver) {
@@ -178,23 +177,14 @@ fn to_send(
                 continue;
             }
             let mut choices = Vec::new();
-            for (index, argument) in message.arguments.iter().enumerate() {
-                choices.push(match argument {
-                    Argument::Any => parameter_values(spec, receiver, message.operation, index),
-                    Argument::Bind(variable) => {
-                        let ty = scenario.variables[*variable].ty;
-                        let mut values = parameter_values(spec, receiver, message.operation, index);
-                        values.retain(|&value| !super::cut::is_class(ty) || spec.domain.fits(value, ty));
-                        values
-                    }
-                    Argument::Value(value) => match scope.eval(value) {
-                        Ok(value) => match check_argument(spec, message, &parameters[index], value) {
-                            Ok(values) => values,
-                            Err(mistake) => return vec![Err(mistake)],
-                        },
-                        Err(failure) => return vec![Err(play_error(failure, message.span))],
-                    },
-                });
+            for index in 0..message.arguments.len() {
+                match argument_values(spec, scenario, message, index, receiver, scope) {
+                    Ok(values) => choices.push(values),
+                    Err(mistake) => return vec![Err(mistake)],
+                }
+            }
+            if let Err(mistake) = check_count(&choices, message, 0) {
+                return vec![Err(mistake)];
             }
             for_each_combination(&choices, &mut |arguments| {
                 let operation = message.operation;
@@ -219,6 +209,31 @@ fn is_linked(
             scope.attributes[slot] == receiver as Value
         })
     })
+}
+
+/// The values of one argument of a message that is sent to `receiver`; an unbound one is expanded.
+fn argument_values(
+    spec: &Spec,
+    scenario: &Scenario,
+    message: &Message,
+    index: usize,
+    receiver: ObjectId,
+    scope: &Scope<'_>,
+) -> Result<Vec<Value>, PlayError> {
+    match &message.arguments[index] {
+        Argument::Any => parameter_values(spec, receiver, message, index),
+        Argument::Bind(variable) => {
+            let ty = scenario.variables[*variable].ty;
+            let mut values = parameter_values(spec, receiver, message, index)?;
+            values.retain(|&value| can_hold(spec, ty, value));
+            Ok(values)
+        }
+        Argument::Value(value) => {
+            let value = scope.eval(value).map_err(|failure| play_error(failure, message.span))?;
+            let parameter = &spec.domain.operations[message.operation].parameters[index];
+            check_argument(spec, message, parameter, value)
+        }
+    }
 }
 
 /// The value of an evaluated argument: an object of the wrong class fits nothing, an integer out of range is a

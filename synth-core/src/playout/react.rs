@@ -1,8 +1,8 @@
 //! What one event does to one copy, and which copies it starts.
 
 use super::copies::{Copies, CopyId, Identity};
-use super::cut::{Rest, Walker};
-use super::events::{Event, EventId, ROWS};
+use super::cut::{Rest, Walker, can_hold};
+use super::events::{Event, EventId};
 use super::keys::{KeyId, Keys};
 use super::{PlayError, ValuationId, play_error};
 use crate::model::{
@@ -194,7 +194,9 @@ impl Matcher<'_> {
         for (argument, &given) in message.arguments.iter().zip(&self.occasion.event.arguments) {
             let matches = match argument {
                 Argument::Any => true,
-                Argument::Bind(variable) => self.can_hold(*variable, given),
+                Argument::Bind(variable) => {
+                    can_hold(self.occasion.spec, self.scenario.variables[*variable].ty, given)
+                }
                 Argument::Value(value) => {
                     self.scope().eval(value).map_err(|failure| play_error(failure, message.span))? == given
                 }
@@ -204,12 +206,6 @@ impl Matcher<'_> {
             }
         }
         Ok(true)
-    }
-
-    /// A variable of a subclass only takes what fits; integers are checked when they are stored.
-    fn can_hold(&self, variable: usize, given: Value) -> bool {
-        let ty = self.scenario.variables[variable].ty;
-        !super::cut::is_class(ty) || self.occasion.spec.domain.fits(given, ty)
     }
 
     /// Whether the event matches a pattern that is not enabled: what is not set yet matches anything, a path through
@@ -248,6 +244,10 @@ impl Matcher<'_> {
         })
     }
 }
+
+/// The rows of the reaction table between that of an enabled message and that of any other message, in their order.
+const ROWS: [ConstraintKind; 4] =
+    [ConstraintKind::Ignore, ConstraintKind::Forbidden, ConstraintKind::Interrupt, ConstraintKind::Consider];
 
 /// The first row of the reaction table that applies to the copy.
 enum Reaction {

@@ -133,6 +133,9 @@ impl Resolver {
     }
 }
 
+/// Every node has an id.
+const MOST_NODES: usize = NodeId::MAX as usize + 1;
+
 /// Builds the nodes of one scenario.
 struct Builder<'a> {
     resolver: &'a mut Resolver,
@@ -195,7 +198,11 @@ impl Builder<'_> {
         bindings
     }
 
+    /// Adds a node. One too many is an error, and then the scenario is given up; its id means nothing.
     fn push(&mut self, parent: NodeId, kind: NodeKind, span: Span) -> NodeId {
+        if self.nodes.len() == MOST_NODES {
+            self.resolver.error(Code::TooLarge, span, "the scenario has too many fragments");
+        }
         self.nodes.push(Node { parent, kind, span });
         (self.nodes.len() - 1) as NodeId
     }
@@ -224,9 +231,7 @@ impl Builder<'_> {
     }
 
     fn fragment(&mut self, fragment: &ast::Fragment, parent: NodeId) -> Option<NodeId> {
-        if self.nodes.len() >= usize::from(NodeId::MAX) {
-            let message = "the scenario has too many fragments";
-            self.resolver.error(Code::TooLarge, fragment.span, message);
+        if self.nodes.len() > MOST_NODES {
             return None;
         }
         let span = fragment.span;
