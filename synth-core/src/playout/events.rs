@@ -6,6 +6,7 @@ use crate::diagnostic::Code;
 use crate::model::{
     Argument, ConstraintKind, Kind, Message, ObjectId, OperationId, RoleRef, Scenario, SlotId, Spec, Value,
 };
+use crate::syntax::Span;
 
 /// Index of an event. Environment events come first, in the order of their texts.
 pub type EventId = u32;
@@ -141,7 +142,8 @@ fn text(spec: &Spec, signature: &Signature) -> String {
     format!("{} -> {}.{}({})", sender.name, receiver.name, operation.name, arguments.join(", "))
 }
 
-/// The values over which a parameter is expanded where it is not bound: its range, or the whole type.
+/// The values over which a parameter is expanded where it is not bound: its range, or the whole type; of a type with
+/// more than [`MOST_EVENTS`] values only one more than that, so that the limit is noticed without listing 2^32 values.
 pub(super) fn parameter_values(
     spec: &Spec,
     receiver: ObjectId,
@@ -155,7 +157,7 @@ pub(super) fn parameter_values(
         .peekable();
     let ty = spec.domain.operations[operation].parameters[parameter].1;
     if ranges.peek().is_none() {
-        return spec.domain.values(ty).collect();
+        return spec.domain.values(ty).take(MOST_EVENTS + 1).collect();
     }
     let mut values: Vec<Value> = ranges.flat_map(|range| range.values.iter().copied()).collect();
     values.sort_unstable();
@@ -193,14 +195,7 @@ fn expand(
                 }
                 choices.push(values);
             }
-            let count = choices.iter().try_fold(1_usize, |n, values| n.checked_mul(values.len()));
-            if count.is_none_or(|count| count + all.len() > MOST_EVENTS) {
-                return Err(PlayError {
-                    code: Code::LimitReached,
-                    span: message.span,
-                    message: format!("this message stands for more than {MOST_EVENTS} different events"),
-                });
-            }
+            within_limit(&choices, all.len(), message.span)?;
             for_each_combination(&choices, &mut |arguments| {
                 let arguments = arguments.into();
                 all.push(Signature { sender, receiver, operation: message.operation, arguments });
@@ -208,6 +203,19 @@ fn expand(
         }
     }
     Ok(())
+}
+
+/// Refuses choices of more than [`MOST_EVENTS`] events together with the `known` ones.
+pub(super) fn within_limit(choices: &[Vec<Value>], known: usize, span: Span) -> Result<(), PlayError> {
+    let count = choices.iter().try_fold(1_usize, |n, values| n.checked_mul(values.len()));
+    if count.and_then(|count| count.checked_add(known)).is_some_and(|count| count <= MOST_EVENTS) {
+        return Ok(());
+    }
+    Err(PlayError {
+        code: Code::LimitReached,
+        span,
+        message: format!("this message stands for more than {MOST_EVENTS} different events"),
+    })
 }
 
 fn has_range(spec: &Spec, receiver: ObjectId, operation: OperationId, parameter: usize) -> bool {

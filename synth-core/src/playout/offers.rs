@@ -1,7 +1,9 @@
 //! What a copy wants: the events that messages with a modality at its cut ask for.
 
 use super::copies::{Copies, CopyId};
-use super::events::{EventId, Events, Signature, for_each_combination, links, parameter_values, players};
+use super::events::{
+    EventId, Events, Signature, for_each_combination, links, parameter_values, players, within_limit,
+};
 use super::{PlayError, ValuationId, play_error};
 use crate::diagnostic::Code;
 use crate::model::{
@@ -195,6 +197,9 @@ fn to_send(
                         Err(failure) => return vec![Err(play_error(failure, message.span))],
                     },
                 });
+            }
+            if let Err(mistake) = within_limit(&choices, 0, message.span) {
+                return vec![Err(mistake)];
             }
             for_each_combination(&choices, &mut |arguments| {
                 let operation = message.operation;

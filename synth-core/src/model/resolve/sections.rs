@@ -11,6 +11,9 @@ use crate::model::ClassId;
 use crate::syntax::Span;
 use crate::syntax::ast;
 
+/// A span of more values than this is refused rather than listed.
+const MOST_VALUES: u64 = 1 << 20;
+
 impl Resolver {
     pub(super) fn effects(&mut self, sections: &[&ast::Section]) -> Vec<Effect> {
         let mut effects = Vec::new();
@@ -178,6 +181,11 @@ impl Resolver {
             (Some(low), Some(high)) if low > high => {
                 let place = span.low.span;
                 self.error(Code::OutOfRange, place, format!("the span from `{low}` to `{high}` is empty"));
+                Vec::new()
+            }
+            (Some(low), Some(high)) if low.abs_diff(high) >= MOST_VALUES => {
+                let message = format!("the span from `{low}` to `{high}` has more than {MOST_VALUES} values");
+                self.error(Code::LimitReached, span.low.span, message);
                 Vec::new()
             }
             (Some(low), Some(high)) => (low..=high).collect(),
