@@ -14,6 +14,7 @@ mod copies;
 mod cut;
 mod events;
 mod keys;
+mod memo;
 mod offers;
 mod react;
 mod step;
@@ -191,7 +192,7 @@ impl<'s> Playout<'s> {
     /// Bytes held by the interned parts.
     #[must_use]
     pub fn memory(&self) -> usize {
-        self.valuations.memory() + self.copies.memory() + self.reactions.memory()
+        self.valuations.memory() + self.copies.memory() + self.reactions.memory() + self.offers.memory()
     }
 }
 

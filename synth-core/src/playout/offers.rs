@@ -5,13 +5,13 @@ use super::cut::can_hold;
 use super::events::{
     EventId, Events, Signature, check_count, for_each_combination, links, parameter_values, players,
 };
+use super::memo::Memo;
 use super::{PlayError, ValuationId, play_error};
 use crate::diagnostic::Code;
 use crate::model::{
     Argument, Kind, Message, Modality, NodeKind, ObjectId, OperationId, RoleRef, Scenario, Scope, Spec, Type,
     UNSET, Value,
 };
-use rustc_hash::FxHashMap;
 use std::cell::Cell;
 
 /// An event that is asked for, or the mistake of a message whose arguments have no value.
@@ -26,22 +26,11 @@ pub(super) struct Offers {
     pub(super) environment: Vec<(Option<Modality>, EventId)>,
 }
 
-const UNKNOWN: u32 = u32::MAX;
-const DEPENDS: u32 = u32::MAX - 1;
-
-/// Offers remembered, like reactions.
+/// The offers of copies, as far as anybody asked.
 #[derive(Debug, Default)]
-pub(super) struct OfferTable {
-    offers: Vec<Offers>,
-    of_copy: Vec<u32>,
-    in_valuation: FxHashMap<(CopyId, ValuationId), u32>,
-}
+pub(super) struct OfferTable(Memo<CopyId, Offers>);
 
 impl OfferTable {
-    pub(super) fn get(&self, offers: u32) -> &Offers {
-        &self.offers[offers as usize]
-    }
-
     /// The offers of a copy under a valuation, whose values are `attributes`.
     pub(super) fn of(
         &mut self,
@@ -50,31 +39,14 @@ impl OfferTable {
         copies: &Copies,
         copy: CopyId,
         (valuation, attributes): (ValuationId, &[Value]),
-    ) -> u32 {
-        let row = copy as usize;
-        if self.of_copy.len() <= row {
-            self.of_copy.resize(row + 1, UNKNOWN);
-        }
-        match self.of_copy[row] {
-            UNKNOWN => {}
-            DEPENDS => {
-                if let Some(&known) = self.in_valuation.get(&(copy, valuation)) {
-                    return known;
-                }
-            }
-            known => return known,
-        }
-        let reads_state = Cell::new(false);
-        let offers = collect(spec, events, copies, copy, attributes, &reads_state);
-        let id = self.offers.len() as u32;
-        self.offers.push(offers);
-        if reads_state.get() {
-            self.of_copy[row] = DEPENDS;
-            self.in_valuation.insert((copy, valuation), id);
-        } else {
-            self.of_copy[row] = id;
-        }
-        id
+    ) -> &Offers {
+        self.0
+            .get(copy, valuation, |reads_state| collect(spec, events, copies, copy, attributes, reads_state))
+    }
+
+    /// Bytes held, about.
+    pub(super) fn memory(&self) -> usize {
+        self.0.memory(size_of::<(Modality, Wanted)>())
     }
 }
 
