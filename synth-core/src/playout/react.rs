@@ -42,6 +42,8 @@ pub(super) struct Reactions {
     started_in: FxHashMap<(EventId, ValuationId), OutcomeId>,
     /// Per copy and event.
     reacted: Vec<Vec<u32>>,
+    /// Elements that the rows of `reacted` have room for: counted as they grow, as the limits are checked in every state.
+    room: usize,
     reacted_in: FxHashMap<(CopyId, EventId, ValuationId), OutcomeId>,
 }
 
@@ -65,7 +67,7 @@ impl Reactions {
     }
 
     pub(super) fn memory(&self) -> usize {
-        let rows: usize = self.reacted.iter().map(|row| row.capacity() * size_of::<u32>()).sum();
+        let rows = self.reacted.capacity() * size_of::<Vec<u32>>() + self.room * size_of::<u32>();
         rows + self.reacted_in.capacity() * 24 + self.outcomes.capacity() * size_of::<Outcome>()
     }
 
@@ -86,8 +88,11 @@ impl Reactions {
         if self.reacted.len() <= row {
             self.reacted.resize(row + 1, Vec::new());
         }
-        if self.reacted[row].len() <= column {
-            self.reacted[row].resize(column + 1, UNKNOWN);
+        let events = &mut self.reacted[row];
+        if events.len() <= column {
+            self.room -= events.capacity();
+            events.resize(column + 1, UNKNOWN);
+            self.room += events.capacity();
         }
         match self.reacted[row][column] {
             UNKNOWN => {}
