@@ -52,6 +52,32 @@ fn verify_finds_what_starves() {
 }
 
 #[test]
+fn verify_refuses_an_event_accepted_before_a_due_super_step() {
+    let mut broken = sml("synth production_cell/spec.sml").json();
+    let due = broken["supersteps"][0][0].clone();
+    let event = "feedBelt -> controller.blankArrived()";
+    broken["environment"][event].as_array_mut().expect("rows").push(json!([due, 0]));
+    let run = sml_reading("verify production_cell/spec.sml - --format json", broken.to_string().as_bytes());
+    let found = run.json();
+    assert_eq!((run.code, &found["verified"], &found["play"]), (1, &json!(false), &json!([event])));
+}
+
+#[test]
+fn verify_shows_the_play_to_a_command_that_nobody_knows() {
+    let mut broken = sml("synth production_cell/spec.sml").json();
+    broken["supersteps"][0][2] = json!(["controller -> feedArm.dance()"]);
+    broken["components"]["feedArm"]["controller -> feedArm.dance()"] = json!(5);
+    for components in [broken["components"].clone(), json!({})] {
+        broken["components"] = components;
+        let run =
+            sml_reading("verify production_cell/spec.sml - --format json", broken.to_string().as_bytes());
+        let found = run.json();
+        assert_eq!((run.code, &found["verified"]), (1, &json!(false)));
+        assert_eq!(found["play"], json!(["feedBelt -> controller.blankArrived()"]), "{found}");
+    }
+}
+
+#[test]
 fn a_controller_of_another_specification_is_refused() {
     let controller = sml("synth memory/spec.sml").stdout;
     assert_eq!(sml_reading("verify line_2/spec.sml -", controller.as_bytes()).code, 1);

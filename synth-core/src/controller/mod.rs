@@ -56,7 +56,8 @@ pub struct SuperStep {
 /// A controller, already split (at most one command per component in a super step).
 ///
 /// A state has environment rows or one super step, never both; an extra state between two parts of a split super
-/// step has only the super step.
+/// step has only the super step. A controller that was read may have such states; verification refuses it if one can
+/// be reached.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Controller {
     /// States are `0..states`.

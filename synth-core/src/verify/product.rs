@@ -46,22 +46,26 @@ pub(super) struct Product<'a> {
 struct Machine<'a> {
     controller: &'a Controller,
     rows: FxHashMap<(&'a str, u32), u32>,
+    /// Per state: the first event that it accepts.
+    accepted: Vec<Option<&'a str>>,
     due: Vec<Option<&'a SuperStep>>,
 }
 
 impl<'a> Machine<'a> {
     fn new(controller: &'a Controller) -> Self {
         let mut rows = FxHashMap::default();
+        let mut accepted = vec![None; controller.states as usize];
         for (event, mapping) in controller.events.iter().zip(&controller.environment) {
             for &(source, target) in mapping {
                 rows.insert((event.text.as_str(), source), target);
+                accepted[source as usize].get_or_insert(event.text.as_str());
             }
         }
         let mut due = vec![None; controller.states as usize];
         for step in &controller.super_steps {
             due[step.source as usize] = Some(step);
         }
-        Machine { controller, rows, due }
+        Machine { controller, rows, accepted, due }
     }
 }
 
@@ -85,7 +89,6 @@ impl<'a> Product<'a> {
             environment: Vec::new(),
             silent: Vec::new(),
         };
-        check_components(spec, controller)?;
         let machine = Machine::new(controller);
         product.intern(Node { config, state: controller.initial, position: 0 }, None);
         let mut moves = Moves::default();
@@ -111,6 +114,8 @@ impl<'a> Product<'a> {
                 None => product.rest(id, &node, &machine, &moves)?,
             }
         }
+        // Last, because what the play itself shows says more.
+        check_components(spec, controller)?;
         Ok(product)
     }
 
@@ -127,6 +132,10 @@ impl<'a> Product<'a> {
         machine: &Machine<'_>,
         moves: &Moves,
     ) -> Result<(), VerifyError> {
+        if let (0, Some(event)) = (node.position, machine.accepted[node.state as usize]) {
+            let reason = format!("the controller accepts `{event}` while its super step is due");
+            return Err(self.refuted(id, None, reason));
+        }
         let text = &machine.controller.commands[step.events[node.position as usize] as usize].text;
         if !moves.turn.is_system() {
             return Err(self.refuted(
