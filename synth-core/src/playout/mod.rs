@@ -76,6 +76,9 @@ impl PlayError {
     pub fn diagnostic(&self, play: &[String]) -> Diagnostic {
         let diagnostic = Diagnostic::error(self.code, self.span, self.message.clone());
         match play {
+            _ if self.code == Code::LimitReached => {
+                diagnostic.help("narrow the types of its parameters, or give them `parameter ranges`")
+            }
             [] => diagnostic.note("this happens in the initial state"),
             _ => diagnostic.note(format!("the shortest play that leads there:\n  {}", play.join("\n  "))),
         }
