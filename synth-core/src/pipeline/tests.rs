@@ -1,4 +1,5 @@
 use super::*;
+use crate::diagnostic::Code;
 use crate::syntax::load;
 
 const WORLD: &str = "specification World {

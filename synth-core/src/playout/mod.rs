@@ -2,7 +2,7 @@
 //!
 //! The language reference, sections 2 to 4, exactly. A state consists of one valuation of the attributes and a set of
 //! scenario *copies*; both are interned, so that a [`Config`] is a handful of integers. What one event does to one
-//! copy is computed by walking the scenario ([`cut`]), which is slow and obvious, and then remembered: whatever
+//! copy is computed by walking the scenario (`cut`), which is slow and obvious, and then remembered: whatever
 //! read no attribute that can change holds in every state, the rest per valuation. In a long exploration a step is
 //! a few table look-ups.
 //!

@@ -1,8 +1,8 @@
 //! From text or macro tokens to a syntax tree: one grammar for both.
 //!
-//! Text goes through [`lexis`] first, a scan that finds all that Rust's lexer would refuse and that makes the rest
-//! of the text readable nevertheless; then both go through [`tokens`], which strips documentation comments, and
-//! [`parse`], the grammar itself. A pass returns what it could read *and* its diagnostics.
+//! Text goes through `lexis` first, a scan that finds all that Rust's lexer would refuse and that makes the rest
+//! of the text readable nevertheless; then both go through `tokens`, which strips documentation comments, and
+//! `parse`, the grammar itself. A pass returns what it could read *and* its diagnostics.
 
 pub mod ast;
 mod keywords;

@@ -5,8 +5,8 @@
 //! the tests), but no exploration, graph, solver or minimiser.
 //!
 //! A node of the product is a state of the specification, a state of the controller, and how far a super step has
-//! come. [`shape`] asks whether it is a controller at all. [`product`] looks for what must never happen: an event of the environment that the controller refuses or
-//! that violates a guarantee, a command that is not allowed, a super step that ends too early. [`fairness`] looks
+//! come. `shape` asks whether it is a controller at all. `product` looks for what must never happen: an event of the environment that the controller refuses or
+//! that violates a guarantee, a command that is not allowed, a super step that ends too early. `fairness` looks
 //! for a cycle on which every assumption is kept and some guarantee starves.
 
 mod fairness;

@@ -10,7 +10,7 @@
 //! | [`cut`], [`state`] | 2, states, scenario copies and their cuts |
 //! | [`matching`], [`progress`], [`settle`], [`step`] | 3, one step |
 //! | [`turn`] | 4, whose turn, and which events |
-//! | [`explore`], [`solve`] | 5, the game and who wins it |
+//! | [`explore()`], [`solve()`] | 5, the game and who wins it |
 //!
 //! A specification is assumed to be well formed; one that is not gives an error of some kind, never a panic.
 

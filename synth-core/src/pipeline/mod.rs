@@ -1,0 +1,196 @@
+//! The pipeline: from the text of a specification to verified tables. Each stage is one line of [`compile`],
+//! [`play_and_solve`] or [`synthesize`].
+
+mod endless;
+mod failure;
+mod figures;
+mod origin;
+
+pub use failure::{Failure, Unrealizable};
+pub use figures::Figures;
+pub use origin::{alphabet, provenance};
+
+use crate::controller::tables::Tables;
+use crate::controller::{Controller, EndlessSuperStep, Level, merge, minimize};
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::explain::explain;
+use crate::explore::{Explored, Limits, explore};
+use crate::game::{Game, Solution, Strategy, extract, solve, solve_ending};
+use crate::model::{Spec, resolve::resolve};
+use crate::playout::{Config, Semantics};
+use crate::syntax::Loaded;
+use crate::verify::verify;
+use std::time::{Duration, Instant};
+
+/// What to do, and how far.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Options {
+    /// How the winning condition is read.
+    pub semantics: Semantics,
+    /// When to give up.
+    pub limits: Limits,
+    /// How the controller is made smaller.
+    pub level: Level,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options { semantics: Semantics::default(), limits: Limits::default(), level: Level::Exact }
+    }
+}
+
+/// Time spent in the stages so far, in order.
+#[derive(Clone, Debug, Default)]
+pub struct Timings(pub Vec<(&'static str, Duration)>);
+
+impl Timings {
+    /// Runs one stage.
+    pub fn stage<T>(&mut self, name: &'static str, run: impl FnOnce() -> T) -> T {
+        let start = Instant::now();
+        let result = run();
+        self.0.push((name, start.elapsed()));
+        result
+    }
+}
+
+/// An explored and solved specification.
+#[derive(Debug)]
+pub struct Solved<'s> {
+    /// States, edges and what they mean.
+    pub explored: Explored<'s>,
+    /// Who wins where.
+    pub solution: Solution,
+}
+
+/// A controller that passed verification.
+#[derive(Debug)]
+pub struct Verified {
+    /// As asked for.
+    pub controller: Controller,
+    /// Its states before it was minimised.
+    pub unminimized_states: u32,
+    /// Nodes of the product that was verified.
+    pub product_nodes: usize,
+}
+
+/// The whole way, from files to tables.
+///
+/// # Errors
+/// See [`Failure`].
+pub fn compile(loaded: &Loaded, options: &Options, timings: &mut Timings) -> Result<Tables, Failure> {
+    let spec = timings.stage("resolve", || specification(loaded))?;
+    let mut solved = play_and_solve(&spec, options, timings)?;
+    let verified = synthesize(&mut solved, options, timings)?;
+    Ok(timings.stage("tables", || Tables::new(&spec.name, &verified.controller, provenance(loaded, &spec))))
+}
+
+/// The resolved specification, or everything that is wrong with it, the earliest mistake first.
+///
+/// # Errors
+/// [`Failure::Wrong`].
+pub fn specification(loaded: &Loaded) -> Result<Spec, Failure> {
+    let is_error = |d: &Diagnostic| d.severity == Severity::Error;
+    let mut diagnostics = loaded.diagnostics.clone();
+    // Names that only a lost piece of text declares would all be unknown.
+    if !diagnostics.iter().any(is_error) {
+        let (spec, found) = resolve(&loaded.files);
+        diagnostics.extend(found);
+        if let Some(spec) = spec {
+            return Ok(spec);
+        }
+    }
+    diagnostics.sort_by_key(|d| (d.span.file, d.span.start));
+    Err(Failure::Wrong(diagnostics))
+}
+
+/// Explores the specification and solves its game, whoever wins.
+///
+/// # Errors
+/// A mistake that a play reaches, or a limit.
+pub fn play_and_solve<'s>(
+    spec: &'s Spec,
+    options: &Options,
+    timings: &mut Timings,
+) -> Result<Solved<'s>, Failure> {
+    let explored = timings.stage("explore", || explore(spec, options.semantics, &options.limits));
+    let explored = explored?;
+    let solution = timings.stage("solve", || solve(&explored.game));
+    Ok(Solved { explored, solution })
+}
+
+/// A verified controller.
+///
+/// # Errors
+/// The specification is not realizable, or (by a mistake of this project) verification fails.
+pub fn synthesize(
+    solved: &mut Solved<'_>,
+    options: &Options,
+    timings: &mut Timings,
+) -> Result<Verified, Failure> {
+    if !solved.solution.wins(solved.explored.game.initial) {
+        return Err(unrealizable(solved, timings));
+    }
+    let Solved { explored, solution } = solved;
+    let strategy = timings.stage("extract", || strategy(&explored.game, solution))?;
+    let raw = timings.stage("super steps", || merged(explored, &strategy));
+    let raw =
+        raw.map_err(|endless| Failure::Wrong(vec![endless::diagnostic(explored, &strategy, endless)]))?;
+    let controller = timings.stage("minimise", || minimize(&raw, options.level));
+    let spec = explored.playout.spec();
+    // Where nothing was merged, both are the same but for numbers.
+    if controller.states < raw.states {
+        timings.stage("verify unminimised", || check(spec, &raw, options))?;
+    }
+    let product_nodes = timings.stage("verify", || check(spec, &controller, options))?;
+    Ok(Verified { controller, unminimized_states: raw.states, product_nodes })
+}
+
+/// A winning strategy; one in which every super step ends, if there is such a one.
+fn strategy(game: &Game, solution: &Solution) -> Result<Strategy, Failure> {
+    let extract =
+        |solution| extract(game, solution).map_err(|error| Failure::Inconsistent(error.to_string()));
+    let strategy = extract(solution)?;
+    // Hardly ever: solving the game twice would be a waste otherwise.
+    if strategy.endless_run(game).is_some() {
+        let ending = solve_ending(game);
+        if ending.wins(game.initial) {
+            return extract(&ending);
+        }
+    }
+    Ok(strategy)
+}
+
+fn merged(explored: &mut Explored<'_>, strategy: &Strategy) -> Result<Controller, EndlessSuperStep> {
+    let alphabet = alphabet(&explored.playout);
+    let Explored { playout, store, game } = explored;
+    let mut config = Config::default();
+    merge(game, strategy, &alphabet, &mut |state| {
+        if state as usize >= store.len() {
+            return Vec::new();
+        }
+        store.load(state, &mut config);
+        playout.owed(&config)
+    })
+}
+
+/// Verifies a controller, this project's own or another.
+///
+/// # Errors
+/// [`Failure::Unverified`], or a mistake of the specification that a play reaches.
+pub fn check(spec: &Spec, controller: &Controller, options: &Options) -> Result<usize, Failure> {
+    Ok(verify(spec, options.semantics, controller, options.limits.states)?)
+}
+
+/// Explains that the specification is not realizable.
+fn unrealizable(solved: &Solved<'_>, timings: &mut Timings) -> Failure {
+    match timings.stage("explain", || explain(solved)) {
+        Some(explanation) => {
+            let (figures, diagnostic) = (solved.figures(), explanation.diagnostic());
+            Failure::Unrealizable(Box::new(Unrealizable { figures, diagnostic, explanation }))
+        }
+        None => Failure::Inconsistent("the environment wins, but no play shows it".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests;
