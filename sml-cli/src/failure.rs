@@ -77,6 +77,7 @@ impl Failure {
     pub(crate) fn of(failure: &pipeline::Failure, loaded: &Loaded) -> Self {
         use pipeline::Failure as F;
         let exit = match failure {
+            F::Wrong(wrong) if wrong.iter().all(|one| one.code == Code::LimitReached) => Exit::Limit,
             F::Wrong(_) => Exit::Wrong,
             F::Limit(_) => Exit::Limit,
             F::Unrealizable(_) | F::Unverified(_) | F::Inconsistent(_) => Exit::No,

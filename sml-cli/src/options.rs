@@ -33,7 +33,8 @@ pub(crate) struct Common {
     /// Give up when there are more states than this
     #[arg(long, global = true, value_name = "N")]
     max_states: Option<usize>,
-    /// Give up when states and transitions need more bytes than this; K, M and G may follow the number
+    /// Give up when states and transitions need more bytes than this; K, M and G may follow the number. Without it, three
+    /// quarters of the memory that is free at the start, where the system says how much that is
     #[arg(long, global = true, value_name = "BYTES", value_parser = bytes)]
     max_memory: Option<usize>,
     /// Number of threads; this version explores and solves on one, and no result ever depends on it
@@ -58,9 +59,17 @@ impl Common {
         let unlimited = Limits::default();
         Limits {
             states: self.max_states.map_or(unlimited.states, |states| states.min(unlimited.states)),
-            memory: self.max_memory.unwrap_or(unlimited.memory),
+            memory: self.max_memory.or_else(most_of_free_memory).unwrap_or(unlimited.memory),
         }
     }
+}
+
+/// Three quarters of the free memory, as Linux tells it.
+fn most_of_free_memory() -> Option<usize> {
+    let text = std::fs::read_to_string("/proc/meminfo").ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
+    let kibibytes: usize = line.trim().strip_suffix(" kB")?.parse().ok()?;
+    kibibytes.checked_mul(1024 / 4 * 3)
 }
 
 /// Who reads the output.

@@ -11,9 +11,9 @@
 //! the invoking crate must depend on. A specification that is wrong or that no controller can meet is a compile error
 //! at the token that is to blame. For more than 200,000 states use a build script.
 
-use proc_macro2::{Literal, TokenStream, TokenTree};
+use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A verified controller from a scenario specification, see the [crate] documentation.
 #[proc_macro]
@@ -26,20 +26,23 @@ pub fn sml(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
         read_files.push(path.to_owned());
         Ok(bytes)
     };
-    let module = match path_literal(&tokens) {
-        None => synth_core::embed::inline(&tokens, &mut read),
-        Some((literal, path)) => match read(&path) {
-            Ok(bytes) => synth_core::embed::file(&path, &bytes, literal.span(), &mut read),
+    let module = match Input::of(&tokens) {
+        Input::Specification => synth_core::embed::inline(&tokens, &mut read),
+        Input::Path(span, path) => match read(&path) {
+            Ok(bytes) => synth_core::embed::file(&path, &bytes, span, &mut read),
             Err(why) => {
-                let message =
+                let why =
                     format!("`{path}` cannot be read: {why}\n  help: paths are relative to the package");
-                quote_spanned!(literal.span()=> ::core::compile_error! { #message })
+                compile_error(span, &why)
             }
         },
+        Input::Neither(span) => {
+            compile_error(span, "expected a specification, or the path of one as a string and nothing else")
+        }
     };
     // The compiler watches what is included, so a change of a file expands the macro again.
     let watched = read_files.iter().map(|path| {
-        let path = if path.starts_with('/') {
+        let path = if Path::new(path).is_absolute() {
             quote!(#path)
         } else {
             let path = format!("/{path}");
@@ -52,10 +55,27 @@ pub fn sml(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     quote!(#module #(#watched)*).into()
 }
 
-/// The path, if the input is one string literal.
-fn path_literal(tokens: &TokenStream) -> Option<(Literal, String)> {
-    let mut tokens = tokens.clone().into_iter();
-    let (Some(TokenTree::Literal(literal)), None) = (tokens.next(), tokens.next()) else { return None };
-    let path = syn::parse_str::<syn::LitStr>(&literal.to_string()).ok()?.value();
-    Some((literal, path))
+enum Input {
+    /// Tokens, right or wrong.
+    Specification,
+    /// One string literal.
+    Path(Span, String),
+    /// Something at this place that is no part of a path; a specification begins with a word.
+    Neither(Span),
+}
+
+impl Input {
+    fn of(tokens: &TokenStream) -> Input {
+        let mut tokens = tokens.clone().into_iter();
+        let Some(TokenTree::Literal(literal)) = tokens.next() else { return Input::Specification };
+        match (syn::parse_str::<syn::LitStr>(&literal.to_string()), tokens.next()) {
+            (Ok(path), None) if path.suffix().is_empty() => Input::Path(literal.span(), path.value()),
+            (Ok(_), Some(more)) => Input::Neither(more.span()),
+            _ => Input::Neither(literal.span()),
+        }
+    }
+}
+
+fn compile_error(span: Span, text: &str) -> TokenStream {
+    quote_spanned!(span=> ::core::compile_error! { #text })
 }

@@ -13,7 +13,7 @@
 //! Cargo runs the script again when the specification changes, or a file that it imports. A wrong or unrealizable
 //! specification ends the build with the same message that `sml check` prints.
 
-use crate::diagnostic::render;
+use crate::diagnostic::{Code, Diagnostic, render};
 use crate::emit::rust;
 use crate::explore::Limits;
 use crate::pipeline::{Options, Timings, compile as run};
@@ -69,13 +69,24 @@ impl Build {
         let shown = path.display().to_string();
         let bytes = read(&package, &shown).map_err(|why| format!("error: {shown} cannot be read: {why}"))?;
         let loaded = load(&shown, &bytes, &mut |path| read(&package, path));
-        let tables = run(&loaded, &self.options, &mut Timings::default())
-            .map_err(|failure| render(&failure.diagnostics(), &loaded.sources, false))?;
-        let stem = path.file_stem().unwrap_or(path.as_os_str());
-        let target = out.join(stem).with_extension("rs");
+        let tables = run(&loaded, &self.options, &mut Timings::default()).map_err(|failure| {
+            let diagnostics: Vec<Diagnostic> = failure.diagnostics().into_iter().map(advise).collect();
+            render(&diagnostics, &loaded.sources, false)
+        })?;
+        let mut name = path.file_stem().unwrap_or(path.as_os_str()).to_owned();
+        name.push(".rs");
+        let target = out.join(name);
         let text = rust::text(&tables, &rust::Options::default());
         replace(&target, &text).map_err(|why| format!("error: {} cannot be written: {why}", target.display()))
     }
+}
+
+/// A build script has no options of a command line.
+fn advise(diagnostic: Diagnostic) -> Diagnostic {
+    if diagnostic.code != Code::LimitReached {
+        return diagnostic;
+    }
+    diagnostic.help("raise it with `synth_core::build::Build`, or make the specification smaller")
 }
 
 fn folder(variable: &str) -> Result<PathBuf, String> {

@@ -15,6 +15,7 @@ pub mod existential;
 pub mod explain;
 pub mod explore;
 pub mod game;
+mod intern;
 pub mod model;
 pub mod pipeline;
 pub mod playout;

@@ -59,7 +59,11 @@ impl Failure {
                     format!("the limit of {} {} was reached", limit.limit, limit.unit()),
                 )
                 .note(limit.to_string())
-                .help(format!("raise `--max-{}`, or make the specification smaller", limit.what)),
+                .help(match limit.what {
+                    // No option goes beyond what ids can count.
+                    "edges" => "make the specification smaller".to_owned(),
+                    what => format!("raise `--max-{what}`, or make the specification smaller"),
+                }),
             ],
             Failure::Unverified(refutation) => vec![
                 general(Code::VerificationFailed, format!("verification failed: {}", refutation.reason))
@@ -209,7 +213,12 @@ pub fn synthesize(
     let raw =
         raw.map_err(|endless| Failure::Wrong(vec![endless_super_step(explored, &strategy, endless)]))?;
     let controller = timings.stage("minimise", || minimize(&raw, options.level));
-    let product_nodes = timings.stage("verify", || check(explored.playout.spec(), &controller, options))?;
+    let spec = explored.playout.spec();
+    // Where nothing was merged, both are the same but for numbers.
+    if controller.states < raw.states {
+        timings.stage("verify unminimised", || check(spec, &raw, options))?;
+    }
+    let product_nodes = timings.stage("verify", || check(spec, &controller, options))?;
     Ok(Verified { controller, unminimized_states: raw.states, product_nodes })
 }
 

@@ -59,10 +59,13 @@ impl Scratch {
             cargo.env_remove(variable);
         }
         let mut child = cargo.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn()?;
-        // Cargo prints nothing long before its program has read all input.
-        if let Some(mut stdin) = child.stdin.take() {
-            stdin.write_all(input.as_bytes())?;
-        }
-        child.wait_with_output()
+        let stdin = child.stdin.take();
+        // Both pipes may fill up, so the input is written while the output is read.
+        std::thread::scope(|scope| {
+            let writer = scope.spawn(|| stdin.map_or(Ok(()), |mut stdin| stdin.write_all(input.as_bytes())));
+            let output = child.wait_with_output();
+            writer.join().map_err(|_| io::Error::other("the writer panicked"))??;
+            output
+        })
     }
 }

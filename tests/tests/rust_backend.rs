@@ -5,8 +5,12 @@ use std::fmt::Write as _;
 use sml_tests::reference::Reference;
 use sml_tests::scratch::Scratch;
 use sml_tests::tables::{self, Random, Size};
-use synth_core::controller::tables::Tables;
+use sml_tests::{corpus, fast};
+use synth_core::controller::cycle::Machine;
+use synth_core::controller::tables::{Provenance, Tables};
+use synth_core::controller::{Controller, json};
 use synth_core::emit::rust::{Options, module, text};
+use synth_core::pipeline::{Timings, synthesize};
 
 /// A module, the tables it is of, and the fields of its `Commands`.
 struct Case {
@@ -44,6 +48,42 @@ fn cases() -> Vec<Case> {
         Case::random("packed", size(6000, 8, 40, 2), 8),
         Case::random("packed_words", size(70_000, 2, 20, 1), 9),
     ]
+}
+
+/// The controller of every realizable specification of the corpus.
+fn corpus_controllers() -> Vec<(String, Controller)> {
+    let mut controllers = Vec::new();
+    for entry in corpus::all() {
+        let spec = fast::resolved(&entry.text).expect("the corpus is right");
+        let options = fast::options(false, 20_000);
+        let Ok(mut solved) = fast::solved(&spec, &options) else { continue };
+        if let Ok(verified) = synthesize(&mut solved, &options, &mut Timings::default()) {
+            controllers.push((entry.name, verified.controller));
+        }
+    }
+    controllers
+}
+
+/// The tables of the corpus, each named after its folder.
+fn corpus_cases() -> Vec<Case> {
+    let case = |(name, controller): (String, Controller)| {
+        let tables = Tables::new(&name, &controller, Provenance::default());
+        let fields = tables.components.iter().map(|component| snake_case(&component.object)).collect();
+        Case { module: name, tables, fields }
+    };
+    corpus_controllers().into_iter().map(case).collect()
+}
+
+/// `feed_arm` for `feedArm`.
+fn snake_case(name: &str) -> String {
+    let mut snake = String::new();
+    for letter in name.chars() {
+        if letter.is_ascii_uppercase() {
+            snake.push('_');
+        }
+        snake.push(letter.to_ascii_lowercase());
+    }
+    snake
 }
 
 /// Modules that are compiled only.
@@ -147,7 +187,7 @@ fn write_crate(cases: &[Case]) -> std::io::Result<Scratch> {
 
 #[test]
 fn modules_have_no_warnings_and_step_as_the_contract_says() {
-    let cases = cases();
+    let cases: Vec<Case> = cases().into_iter().chain(corpus_cases()).collect();
     let scratch = write_crate(&cases).expect("the crate is written");
 
     let lints =
@@ -173,6 +213,47 @@ fn modules_have_no_warnings_and_step_as_the_contract_says() {
     for (number, (printed, (line, expected))) in printed.lines().zip(&lines).enumerate() {
         assert_eq!(printed, expected, "at `{line}`, line {number}");
     }
+}
+
+/// What the reference says of tables, `sml cycle` says of the controller that was written as JSON and read again; so
+/// all three agree.
+#[test]
+fn the_interpreter_of_json_steps_as_the_tables_say() {
+    let mut commands = 0;
+    for (seed, (name, original)) in corpus_controllers().into_iter().enumerate() {
+        let controller = json::from_json(&json::to_json(&original)).expect("its own JSON");
+        let tables = Tables::new(&name, &original, Provenance::default());
+        let mut reference = Reference::new(&tables);
+        let mut machine = Machine::new(&controller);
+        for (action, event) in script(&tables, seed as u64, &mut Random::new(100 + seed as u64)) {
+            let place = format!("{name}: {action} {event:?} in {}", reference.state);
+            let expected = match (action, event) {
+                ("texts", None) => continue,
+                ("raise", Some(event)) => {
+                    assert_eq!(machine.raise(event as u32), reference.raise(event), "{place}");
+                    None
+                }
+                ("cycle", None) => Some((Some(machine.cycle()), Some(reference.cycle()))),
+                ("drain", None) => Some((Some(machine.drain()), Some(reference.drain()))),
+                ("react", Some(event)) => Some((machine.react(event as u32), reference.react(event))),
+                _ => {
+                    machine.reset();
+                    reference = Reference::new(&tables);
+                    None
+                }
+            };
+            if let Some((mine, theirs)) = expected {
+                commands += theirs.iter().flatten().filter(|&&code| code != 0).count();
+                assert_eq!(mine.map(|commands| commands.codes), theirs, "{place}");
+            }
+            assert_eq!(machine.state(), reference.state, "{place}");
+            for event in 0..tables.events.len() {
+                let pending = reference.pending.contains(&event);
+                assert_eq!(machine.is_pending(event as u32), pending, "{place}: event {event}");
+            }
+        }
+    }
+    assert!(commands > 200, "only {commands} commands were compared");
 }
 
 #[test]

@@ -10,6 +10,7 @@
     clippy::disallowed_names,
     clippy::doc_markdown,
     clippy::enum_variant_names,
+    clippy::module_inception,
     clippy::module_name_repetitions,
     clippy::similar_names,
     clippy::struct_field_names,

@@ -144,6 +144,34 @@ fn limits_are_3() {
     }
 }
 
+/// A specification in which `tell`, from the environment, and `ask`, from the controller, have a huge parameter.
+fn huge(ranges: &str, scenario: &str) -> Vec<u8> {
+    format!(
+        "specification X {{
+          domain {{
+            class C {{ tell(x: 0..=4294967295) start() }}
+            class E {{ ask(x: 0..=4294967295, y: 0..=4294967295) }}
+          }}
+          object c: C
+          object e: E
+          controllable {{ C }}
+          {ranges}
+          collaboration K {{ guarantee scenario S {{ {scenario} }} }}
+        }}"
+    )
+    .into_bytes()
+}
+
+#[test]
+fn too_many_events_are_3() {
+    let everything = "e -> c.tell(*)";
+    check_text(&huge("", everything), 3, "SML0054");
+    check_text(&huge("", "e -> c.start() urgent c -> e.ask(*, *)"), 3, "SML0054");
+    check_text(&huge("parameter ranges { C.tell(x = [0..4294967295]) }", everything), 2, "SML0028");
+    let constant = sml_reading("check -", &huge("", "e -> c.tell(4294967295)"));
+    assert_eq!(constant.code, 0, "{}", constant.stderr);
+}
+
 #[test]
 fn limits_that_suffice_change_nothing() {
     let plain = sml("check memory/spec.sml --format json");

@@ -1,7 +1,7 @@
 //! The tables that every back end emits (controller contract, section 2): one mapping function per environment
 //! event, one for the super steps with a command code per component.
 
-use super::{Controller, Event};
+use super::{Component, Controller, Event};
 
 /// Bumped whenever the meaning of emitted tables changes; part of every output.
 pub const FORMAT_VERSION: u32 = 1;
@@ -112,16 +112,38 @@ impl Tables {
 }
 
 fn component_tables(controller: &Controller) -> Vec<ComponentTable> {
-    let code_in = |commands: &[u32], step: &[u32]| {
-        step.iter().find_map(|event| commands.iter().position(|c| c == event)).map_or(0, |i| i as u32 + 1)
-    };
-    controller
-        .components
-        .iter()
-        .map(|component| ComponentTable {
-            object: component.object.clone(),
-            commands: component.commands.iter().map(|&c| controller.commands[c as usize].clone()).collect(),
-            codes: controller.super_steps.iter().map(|s| code_in(&component.commands, &s.events)).collect(),
-        })
-        .collect()
+    let steps = controller.super_steps.len();
+    // Per command: its component and its code there.
+    let mut place = vec![None; controller.commands.len()];
+    let mut tables = Vec::with_capacity(controller.components.len());
+    for (component, Component { object, commands }) in controller.components.iter().enumerate() {
+        for (&command, code) in commands.iter().zip(1..) {
+            place[command as usize] = Some((component, code));
+        }
+        tables.push(ComponentTable {
+            object: object.clone(),
+            commands: commands.iter().map(|&command| controller.commands[command as usize].clone()).collect(),
+            codes: vec![0; steps],
+        });
+    }
+    for (row, step) in controller.super_steps.iter().enumerate() {
+        for (component, code) in step.events.iter().filter_map(|&command| place[command as usize]) {
+            tables[component].codes[row] = code;
+        }
+    }
+    tables
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::fixtures::controller;
+    use super::*;
+
+    #[test]
+    fn every_component_has_a_code_per_super_step() {
+        let lines = "0! arm.go log.x 1 \n 1! press.go arm.stop 2 \n 2! log.x 3 \n 3! press.go 0";
+        let tables = Tables::new("S", &controller(lines), Provenance::default());
+        let codes: Vec<_> = tables.components.iter().map(|c| (c.object.as_str(), &c.codes[..])).collect();
+        assert_eq!(codes, [("arm", &[1, 2, 0, 0][..]), ("press", &[0, 1, 0, 1][..])]);
+    }
 }

@@ -129,7 +129,9 @@ codes! {
         "The section `controllable { … }` names the classes whose objects are the system. Without one there is nothing \
          to build a controller for.\n";
     EmptyScenario = 27, "a scenario without fragments",
-        "A scenario says something about messages; an empty one can neither start nor be violated.\n";
+        "A scenario says something about messages; an empty one can neither start nor be violated.\n\n\
+         Wrong:  guarantee scenario Later { }\n\
+         Right:  guarantee scenario Answers { user -> ctl.ask() urgent ctl -> user.answer() }\n";
     OutOfRange = 28, "a constant outside its range",
         "An integer must lie within the range of the attribute, parameter or variable that takes it, and a range must \
          contain at least one value and at most 2^32.\n";
@@ -137,15 +139,19 @@ codes! {
         "Every way through the body of a `while` needs a message or a `wait`; otherwise it could come round for ever \
          without anything happening. An `alternative` all of whose cases have conditions may be passed.\n";
     CyclicInheritance = 30, "a class that inherits from itself",
-        "The bases of a class must end somewhere.\n";
+        "The bases of a class must end somewhere; here they come round to the class itself.\n\n\
+         Wrong:  class Arm : Robot { } class Robot : Arm { }\n\
+         Right:  class Arm : Robot { } class Robot { }\n";
     ControllableInAssumption = 31, "an assumption that obliges the system",
         "An assumption promises what the environment does. A message with a modality in it must therefore have a sender \
          that is not controllable; what the system must do belongs into a guarantee.\n";
     TooLarge = 32, "a scenario that is too large",
-        "A scenario can have 65,534 fragments. Split it.\n";
+        "A scenario can have 65,536 fragments, cases and branches, its body and those in it included. Split it into \
+         several scenarios.\n";
 
     MissingImport = 33, "an imported file that cannot be read",
-        "The path of an `import` is relative to the file that it stands in.\n";
+        "The path of an `import` is relative to the file that it stands in; in the macro `sml!` and in the path that is \
+         given to it, relative to the folder of the package.\n";
     CyclicImport = 34, "files that import each other",
         "Imports must not form a circle. The error is at the string that closes it. A file that is imported several \
          times is merged once, so common parts can be imported wherever they are needed.\n";
@@ -161,7 +167,9 @@ codes! {
         "Some play reaches a state in which a `while` comes round to the same place with the same values within one \
          step, because the `wait`s in it pass at once. The play is shown. Wait for something that changes.\n";
     ViolatedInitially = 53, "a scenario that is violated from the start",
-        "A scenario that starts at once is settled in the initial state; this one is violated there already.\n";
+        "A scenario that starts at once is settled in the initial state; this one is violated there already.\n\n\
+         Wrong:  guarantee scenario Never { violation [true] }\n\
+         Right:  guarantee scenario Never { user -> ctl.ask() violation [ctl.busy] }\n";
     LimitReached = 54, "a limit was reached",
         "The state space is larger than `--max-states` or `--max-memory` allow. Raise the limit, or make the \
          specification smaller: fewer objects, narrower ranges, more assumptions about what the environment does.\n";
@@ -170,7 +178,8 @@ codes! {
         "Whatever the controller does, the environment can keep all assumptions and make it break or starve a \
          guarantee. A play is shown. Add the assumption that rules it out, or relax a guarantee.\n";
     VerificationFailed = 71, "a controller that does not meet the specification",
-        "The product of controller and specification contains the play shown.\n";
+        "The product of controller and specification contains the play shown: it breaks a guarantee, or starves one while \
+         all assumptions are kept. If the controller comes from this tool, that is a mistake of the tool.\n";
     EndlessSuperStep = 72, "a specification that only an endless super step meets",
         "A play counts as won when an assumption is open for ever, and the environment cannot meet an assumption while\n\
          the system keeps the turn. So by the letter of the winning condition the system wins by sending messages\n\
@@ -180,11 +189,14 @@ codes! {
          Right:  while { clock -> control.tick()  eventually control -> lamp.blink() }\n";
 
     Usage = 100, "wrong usage",
-        "The arguments make no sense together. `sml --help` and `sml COMMAND --help` say what can be asked.\n";
+        "The arguments make no sense together. `sml --help` and `sml COMMAND --help` say what can be asked. \
+         The exit code is 2.\n";
     Unsupported = 101, "something that is not supported yet",
-        "The name is part of the interface, but this version does nothing under it yet.\n";
+        "The name is part of the interface, but this version does nothing under it yet. \
+         `sml --help` lists what it does.\n";
     Unreadable = 102, "a file that cannot be opened",
-        "The file does not exist, is a directory, or may not be read. The exit code is 4.\n";
+        "The file does not exist, is a directory, or may not be read; `-` stands for the standard \
+         input. The exit code is 4.\n";
     Unwritable = 103, "an output that cannot be written",
         "The folder does not exist, or it or the file may not be written. Files are written whole or not at all: what \
          was there before is untouched. The exit code is 4.\n";
@@ -199,7 +211,8 @@ codes! {
         "In this state of the play the event is not one of those that can happen: it is not that side's turn, nobody \
          asks for it, or it would violate a scenario of its own side. The message lists those that can.\n";
     Stale = 107, "an output that is not up to date",
-        "`--check` compares a file with what would be written into it. They differ, or the file is missing.\n";
+        "`--check` compares a file with what would be written into it. They differ, or the file is missing. \
+         Export it again without `--check`.\n";
     Unfit = 108, "a controller that a target cannot hold",
         "States, rows or commands outnumber what the target's types can tell apart, or draining would never end. \
          Nothing is written.\n";

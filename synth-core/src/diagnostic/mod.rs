@@ -10,7 +10,7 @@ pub use code::Code;
 #[cfg(feature = "json")]
 pub use json::to_json;
 pub use render::render;
-pub use tokens::compile_errors;
+pub use tokens::{compile_errors, compile_errors_at};
 
 use crate::syntax::Span;
 

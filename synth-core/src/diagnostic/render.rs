@@ -1,11 +1,15 @@
 //! Diagnostics for people: the marked source, as compilers show it.
 
-use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
 use super::{Diagnostic, Severity};
 use crate::syntax::{FileId, Sources, Span};
 
-/// All `diagnostics` with the lines they are about, an empty line between them; empty if there are none.
+/// More than this many nobody reads, and each costs a pass over its line, which may be the whole file.
+const MOST_SHOWN: usize = 50;
+
+/// The first 50 of `diagnostics` with the lines they are about, an empty line between them, and how many more there are;
+/// empty if there are none.
 ///
 /// `color` adds terminal escapes. A place outside its file is moved to the file's end; a diagnostic whose line is 0,
 /// or whose file has no text, is shown without a source.
@@ -13,13 +17,17 @@ use crate::syntax::{FileId, Sources, Span};
 pub fn render(diagnostics: &[Diagnostic], sources: &Sources, color: bool) -> String {
     let renderer = if color { Renderer::styled() } else { Renderer::plain() };
     let mut out = String::new();
-    for diagnostic in diagnostics {
+    for diagnostic in diagnostics.iter().take(MOST_SHOWN) {
         if !out.is_empty() {
             out.push('\n');
         }
         let code = diagnostic.code.to_string();
         out.push_str(&renderer.render(&[group(diagnostic, &code, sources)]));
         out.push('\n');
+    }
+    let more = diagnostics.len().saturating_sub(MOST_SHOWN);
+    if more > 0 {
+        out.push_str(&format!("\n... and {more} more\n"));
     }
     out
 }
@@ -34,6 +42,10 @@ fn group<'a>(diagnostic: &'a Diagnostic, code: &'a str, sources: &'a Sources) ->
         if let Some(snippet) = snippet(diagnostic, file, sources) {
             group = group.element(snippet);
         }
+    }
+    let path = sources.path(diagnostic.span.file);
+    if diagnostic.span.start.line > 0 && !path.is_empty() && sources.text(diagnostic.span.file).is_empty() {
+        group = group.element(Origin::path(path));
     }
     for note in &diagnostic.notes {
         group = group.element(Level::NOTE.message(note));
@@ -137,6 +149,23 @@ error[SML0004]: expected `b`, found `abc`
                 }
             }
         }
+    }
+
+    #[test]
+    fn many_are_cut_off() {
+        let one = Diagnostic::error(Code::Syntax, span((1, 1), (1, 2)), "m");
+        let shown = |count| render(&vec![one.clone(); count], &sources("x"), false);
+        assert_eq!(shown(MOST_SHOWN).matches("error").count(), MOST_SHOWN);
+        assert!(!shown(MOST_SHOWN).contains("more"));
+        assert_eq!(shown(MOST_SHOWN + 3).matches("error").count(), MOST_SHOWN);
+        assert!(shown(MOST_SHOWN + 3).ends_with("\n... and 3 more\n"));
+    }
+
+    #[test]
+    fn an_empty_file_is_named() {
+        let diagnostic = Diagnostic::error(Code::Syntax, span((1, 1), (1, 1)), "m");
+        let shown = render(&[diagnostic], &sources(""), false);
+        assert!(shown.contains("--> cell.sml"), "{shown}");
     }
 
     #[test]

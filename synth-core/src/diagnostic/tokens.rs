@@ -3,35 +3,54 @@
 use proc_macro2::{LineColumn, Span, TokenStream, TokenTree};
 use quote::quote_spanned;
 
-use super::{Diagnostic, Severity};
-use crate::syntax::Pos;
+use super::{Diagnostic, Severity, render};
+use crate::syntax::{self, Loaded, Pos, Sources};
 
 /// One `::core::compile_error!{"…"}` for each error; warnings are left out, since a macro cannot warn.
 ///
 /// Each stands at the token of `tokens`, the macro's input, that begins where the diagnostic does, as far as the
-/// compiler can tell; at the macro's call if there is none.
+/// compiler can tell; at the macro's call if there is none. One about an imported file stands at the import and shows
+/// the lines of that file.
 #[must_use]
-pub fn compile_errors(diagnostics: &[Diagnostic], tokens: &TokenStream) -> TokenStream {
-    let errors = diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
-    errors
-        .map(|diagnostic| {
-            let text = text(diagnostic);
-            let span = place(diagnostic, tokens);
-            quote_spanned!(span=> ::core::compile_error! { #text })
+pub fn compile_errors(diagnostics: &[Diagnostic], tokens: &TokenStream, loaded: &Loaded) -> TokenStream {
+    errors(diagnostics)
+        .map(|diagnostic| match loaded.import_of(diagnostic.span.file) {
+            None => compile_error(place(diagnostic.span, tokens), &text(diagnostic, &loaded.sources)),
+            Some(import) => compile_error(place(import, tokens), &with_lines(diagnostic, &loaded.sources)),
         })
         .collect()
 }
 
-fn text(diagnostic: &Diagnostic) -> String {
+/// One `::core::compile_error!{"…"}` at `span` for each error, which shows the lines that it is about.
+#[must_use]
+pub fn compile_errors_at(span: Span, diagnostics: &[Diagnostic], sources: &Sources) -> TokenStream {
+    errors(diagnostics).map(|diagnostic| compile_error(span, &with_lines(diagnostic, sources))).collect()
+}
+
+fn errors(diagnostics: &[Diagnostic]) -> impl Iterator<Item = &Diagnostic> {
+    diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error)
+}
+
+fn compile_error(span: Span, text: &str) -> TokenStream {
+    quote_spanned!(span=> ::core::compile_error! { #text })
+}
+
+/// The compiler itself shows the line.
+fn text(diagnostic: &Diagnostic, sources: &Sources) -> String {
     let mut text = format!("[{}] {}", diagnostic.code, diagnostic.message);
     if !diagnostic.label.is_empty() {
         text.push_str(&format!("\n  {}", diagnostic.label));
     }
     for (span, label) in &diagnostic.labels {
-        text.push_str(&format!("\n  line {}, column {}: {label}", span.start.line, span.start.column));
+        let Pos { line, column } = span.start;
+        if span.file == diagnostic.span.file {
+            text.push_str(&format!("\n  line {line}, column {column}: {label}"));
+        } else {
+            text.push_str(&format!("\n  {}:{line}:{column}: {label}", sources.path(span.file)));
+        }
     }
     for note in &diagnostic.notes {
-        text.push_str(&format!("\n  note: {note}"));
+        text.push_str(&format!("\n  note: {}", note.replace('\n', "\n    ")));
     }
     if let Some(help) = &diagnostic.help {
         text.push_str(&format!("\n  help: {help}"));
@@ -39,9 +58,19 @@ fn text(diagnostic: &Diagnostic) -> String {
     text
 }
 
-fn place(diagnostic: &Diagnostic, tokens: &TokenStream) -> Span {
+/// The compiler does not know the file. It writes `error: ` before the text.
+fn with_lines(diagnostic: &Diagnostic, sources: &Sources) -> String {
+    let rendered = render(std::slice::from_ref(diagnostic), sources, false);
+    let title = format!("error[{}]: ", diagnostic.code);
+    match rendered.strip_prefix(&title) {
+        Some(rest) => format!("[{}] {}", diagnostic.code, rest.trim_end()),
+        None => rendered,
+    }
+}
+
+fn place(span: syntax::Span, tokens: &TokenStream) -> Span {
     let mut found = Found { first: None, last: None };
-    find(tokens.clone(), diagnostic.span.start, diagnostic.span.end, &mut found);
+    find(tokens.clone(), span.start, span.end, &mut found);
     match (found.first, found.last) {
         // Stable compilers do not join; then the first token alone is marked.
         (Some(first), Some(last)) => first.join(last).unwrap_or(first),
@@ -102,7 +131,7 @@ mod tests {
     fn check(text: &str, expect_column: usize, expect: &str) {
         let tokens = TokenStream::from_str(text).expect("tokens of Rust");
         let (_, diagnostics) = parse_tokens(tokens.clone(), FileId(0));
-        let errors = compile_errors(&diagnostics[..1], &tokens);
+        let errors = compile_errors(&diagnostics[..1], &tokens, &Loaded::default());
         assert_eq!(errors.to_string(), format!(":: core :: compile_error ! {{ {expect:?} }}"));
         let first = errors.into_iter().next().expect("an error");
         assert_eq!(first.span().start().column + 1, expect_column);
@@ -126,7 +155,7 @@ mod tests {
     #[test]
     fn at_the_call_if_nowhere() {
         let (_, diagnostics) = parse_tokens(TokenStream::new(), FileId(0));
-        let errors = compile_errors(&diagnostics, &TokenStream::new()).to_string();
+        let errors = compile_errors(&diagnostics, &TokenStream::new(), &Loaded::default()).to_string();
         assert!(errors.contains("the file contains no specification"), "{errors}");
     }
 
@@ -134,6 +163,6 @@ mod tests {
     fn warnings_are_left_out() {
         let code = crate::diagnostic::Code::Syntax;
         let warning = Diagnostic::warning(code, crate::syntax::Span::default(), "odd");
-        assert!(compile_errors(&[warning], &TokenStream::new()).is_empty());
+        assert!(compile_errors(&[warning], &TokenStream::new(), &Loaded::default()).is_empty());
     }
 }

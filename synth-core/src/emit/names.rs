@@ -99,7 +99,8 @@ mod tests {
         check("a -> b.c()", "a_b_c");
         check("feedBelt -> arm_1.moveTo(press, true)", "feedBelt_arm_1_moveTo_press_true");
         check("a -> b.c(-1, 2)", "a_b_c_m1_2");
-        check("a -> b.c(-12)", "a_b_c_m12");
+        check("a -> b.c(-1, -20)", "a_b_c_m1_m20");
+        check("a->b.c(1)", "a_b_c_1");
     }
 
     #[test]
@@ -107,10 +108,12 @@ mod tests {
         check("a__b", "a_b");
         check("_a_", "a");
         check("a_ -> _b", "a_b");
+        check("a__b_ -> _c.d_()", "a_b_c_d");
         check("", "x");
         check("1a", "x1a");
         check("-1", "m1");
-        check("é", "x");
+        check("(é)", "x");
+        check("3 -> 4", "x3_4");
     }
 
     #[track_caller]

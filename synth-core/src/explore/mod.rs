@@ -43,7 +43,7 @@ pub enum ExploreError {
 /// Which limit was reached, and how far exploration came.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct LimitReached {
-    /// `states` or `memory`.
+    /// `states`, `memory` or `edges`.
     pub what: &'static str,
     /// The limit.
     pub limit: usize,
@@ -110,6 +110,12 @@ pub fn explore<'s>(
 const LOST: u32 = u32::MAX;
 const WON: u32 = u32::MAX - 1;
 
+/// Edges have `u32` offsets; one state adds fewer than the rest.
+const MOST_EDGES: usize = (u32::MAX - (1 << 24)) as usize;
+
+/// Memory is counted once in so many states: counting looks at everything that was remembered.
+const MEMORY_PERIOD: StateId = 256;
+
 /// The growing arrays of the game.
 #[derive(Debug, Default)]
 struct Graph {
@@ -136,7 +142,10 @@ impl<'s> Explorer<'s> {
         let mut open: Vec<KeyId> = Vec::new();
         let mut state = 0;
         while (state as usize) < self.store.len() {
-            self.check(limits)?;
+            self.check_size(limits)?;
+            if state % MEMORY_PERIOD == 0 {
+                self.check_memory(limits)?;
+            }
             self.store.load(state, &mut config);
             if let Err((event, mistake)) = self.playout.moves(&config, &mut moves) {
                 return Err(ExploreError::Play(mistake, self.play_to(state, event)));
@@ -152,7 +161,7 @@ impl<'s> Explorer<'s> {
             self.graph.first.push(self.graph.target.len() as u32);
             state += 1;
         }
-        Ok(())
+        self.check_memory(limits)
     }
 
     fn edge(&mut self, one: &Move) {
@@ -166,21 +175,29 @@ impl<'s> Explorer<'s> {
         self.graph.discharged.push(self.sets.intern(&one.discharged));
     }
 
-    fn check(&self, limits: &Limits) -> Result<(), ExploreError> {
-        let states = self.store.len();
-        let edges = self.graph.target.len();
-        let memory = self.memory();
-        let (what, limit) = if states > limits.states {
-            ("states", limits.states)
-        } else if memory > limits.memory {
-            ("memory", limits.memory)
-        } else if edges > (u32::MAX - (1 << 24)) as usize {
-            ("edges", u32::MAX as usize)
-        } else {
-            return Ok(());
-        };
-        let explored = self.graph.turn.len();
-        Err(ExploreError::Limit(LimitReached { what, limit, states, explored, edges, memory }))
+    fn check_size(&self, limits: &Limits) -> Result<(), ExploreError> {
+        if self.store.len() > limits.states {
+            return Err(self.limit("states", limits.states));
+        }
+        if self.graph.target.len() > MOST_EDGES {
+            return Err(self.limit("edges", MOST_EDGES));
+        }
+        Ok(())
+    }
+
+    fn check_memory(&self, limits: &Limits) -> Result<(), ExploreError> {
+        if self.memory() > limits.memory { Err(self.limit("memory", limits.memory)) } else { Ok(()) }
+    }
+
+    fn limit(&self, what: &'static str, limit: usize) -> ExploreError {
+        ExploreError::Limit(LimitReached {
+            what,
+            limit,
+            states: self.store.len(),
+            explored: self.graph.turn.len(),
+            edges: self.graph.target.len(),
+            memory: self.memory(),
+        })
     }
 
     fn memory(&self) -> usize {

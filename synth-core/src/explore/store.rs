@@ -5,11 +5,10 @@
 //! slot's distinct sets of copies. Slots and sets are discovered on the way; when a field becomes too narrow, all
 //! rows are packed anew with a wider one, which happens about as often as there are bits in a row.
 
+use crate::intern::Rows;
 use crate::model::Value;
 use crate::playout::{Config, CopyId, Playout};
-use hashbrown::HashTable;
-use rustc_hash::{FxHashMap, FxHasher};
-use std::hash::{Hash, Hasher};
+use rustc_hash::FxHashMap;
 
 /// Index of a state, in order of discovery.
 pub type StateId = u32;
@@ -69,10 +68,7 @@ impl Slot {
 #[derive(Debug)]
 pub struct StateStore {
     fields: Vec<Field>,
-    words: usize,
-    rows: Vec<u64>,
-    count: u32,
-    index: HashTable<StateId>,
+    rows: Rows<u64>,
     slots: Vec<Slot>,
     slot_index: FxHashMap<(usize, Box<[Value]>), usize>,
     /// Per copy: its slot.
@@ -85,21 +81,17 @@ pub struct StateStore {
 
 impl Default for StateStore {
     fn default() -> Self {
-        let mut store = StateStore {
-            fields: Vec::new(),
-            words: 0,
-            rows: Vec::new(),
-            count: 0,
-            index: HashTable::new(),
+        let (fields, words) = lay_out(&[1, 1]);
+        StateStore {
+            fields,
+            rows: Rows::new(words),
             slots: Vec::new(),
             slot_index: FxHashMap::default(),
             slot_of: Vec::new(),
             by_slot: Vec::new(),
             values: Vec::new(),
             row: Vec::new(),
-        };
-        store.lay_out(&[1, 1]);
-        store
+        }
     }
 }
 
@@ -107,19 +99,19 @@ impl StateStore {
     /// Number of states; ids are below it.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.count as usize
+        self.rows.len()
     }
 
     /// Whether no state was interned yet.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.count == 0
+        self.len() == 0
     }
 
     /// Bytes held.
     #[must_use]
     pub fn memory(&self) -> usize {
-        self.rows.capacity() * size_of::<u64>() + self.index.capacity() * (size_of::<StateId>() + 1)
+        self.rows.memory()
     }
 
     /// Bits that carry information in a row.
@@ -132,26 +124,13 @@ impl StateStore {
     pub fn intern(&mut self, playout: &Playout<'_>, config: &Config) -> StateId {
         self.take_apart(playout, config);
         self.widen();
-        self.row.clear();
-        self.row.resize(self.words, 0);
-        for (field, &value) in self.fields.iter().zip(&self.values) {
-            field.write(&mut self.row, value);
-        }
-        let StateStore { rows, words, row, index, count, .. } = self;
-        let hash_of = |id: StateId| hash(nth(rows, *words, id));
-        if let Some(&found) = index.find(hash(row), |&id| nth(rows, *words, id) == row.as_slice()) {
-            return found;
-        }
-        let id = *count;
-        index.insert_unique(hash(row), id, |&id| hash_of(id));
-        *count += 1;
-        rows.extend_from_slice(row);
-        id
+        pack(&mut self.row, self.rows.width(), self.fields.iter().zip(self.values.iter().copied()));
+        self.rows.intern(&self.row)
     }
 
     /// Unpacks a state.
     pub fn load(&self, state: StateId, config: &mut Config) {
-        let row = nth(&self.rows, self.words, state);
+        let row = self.rows.get(state);
         config.valuation = self.fields[VALUATION].read(row) as u32;
         config.yielded = self.fields[YIELDED].read(row) != 0;
         config.copies.clear();
@@ -208,44 +187,37 @@ impl StateStore {
         let old_widths = self.fields.iter().map(|field| field.width).chain(std::iter::repeat(1));
         let needed = self.values.iter().map(|&value| u64::BITS - value.leading_zeros());
         let widths: Vec<u32> = old_widths.zip(needed).map(|(old, needed)| old.max(needed)).collect();
-        let (old_fields, old_words) = (std::mem::take(&mut self.fields), self.words);
-        self.lay_out(&widths);
-        let mut rows = vec![0; self.words * self.len()];
-        for (old, new) in self.rows.chunks_exact(old_words.max(1)).zip(rows.chunks_exact_mut(self.words)) {
-            for (from, to) in old_fields.iter().zip(&self.fields) {
-                to.write(new, from.read(old));
-            }
+        let (fields, words) = lay_out(&widths);
+        let mut rows = Rows::new(words);
+        for state in 0..self.len() as StateId {
+            let old = self.rows.get(state);
+            let values = self.fields.iter().map(|field| field.read(old));
+            pack(&mut self.row, words, fields.iter().zip(values));
+            rows.intern(&self.row);
         }
-        self.rows = rows;
-        self.index.clear();
-        let StateStore { rows, words, index, count, .. } = self;
-        for id in 0..*count {
-            let hash_of = |&id: &StateId| hash(nth(rows, *words, id));
-            index.insert_unique(hash_of(&id), id, hash_of);
-        }
-    }
-
-    /// Places fields of these widths, first come first served.
-    fn lay_out(&mut self, widths: &[u32]) {
-        let (mut word, mut shift) = (0, 0);
-        self.fields = Vec::with_capacity(widths.len());
-        for &width in widths {
-            if shift + width > u64::BITS {
-                (word, shift) = (word + 1, 0);
-            }
-            self.fields.push(Field { word, shift, width });
-            shift += width;
-        }
-        self.words = word + 1;
+        (self.fields, self.rows) = (fields, rows);
     }
 }
 
-fn nth(rows: &[u64], words: usize, state: StateId) -> &[u64] {
-    &rows[state as usize * words..(state as usize + 1) * words]
+/// Writes the fields' values to a cleared row.
+fn pack<'f>(row: &mut Vec<u64>, words: usize, values: impl Iterator<Item = (&'f Field, u64)>) {
+    row.clear();
+    row.resize(words, 0);
+    for (field, value) in values {
+        field.write(row, value);
+    }
 }
 
-fn hash(row: &[u64]) -> u64 {
-    let mut hasher = FxHasher::default();
-    row.hash(&mut hasher);
-    hasher.finish()
+/// Places fields of these widths, first come first served, and counts the words of a row.
+fn lay_out(widths: &[u32]) -> (Vec<Field>, usize) {
+    let (mut word, mut shift) = (0, 0);
+    let mut fields = Vec::with_capacity(widths.len());
+    for &width in widths {
+        if shift + width > u64::BITS {
+            (word, shift) = (word + 1, 0);
+        }
+        fields.push(Field { word, shift, width });
+        shift += width;
+    }
+    (fields, word + 1)
 }

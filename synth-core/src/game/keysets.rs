@@ -1,8 +1,7 @@
 //! Interned sets of fairness keys: few distinct ones, shared by many states and edges.
 
+use crate::intern::hash;
 use hashbrown::HashTable;
-use rustc_hash::FxHasher;
-use std::hash::{Hash, Hasher};
 
 /// All distinct sets; set 0 is the empty one.
 #[derive(Clone, Debug)]
@@ -82,10 +81,4 @@ impl KeySetsBuilder {
     pub fn finish(self) -> KeySets {
         self.sets
     }
-}
-
-fn hash(members: &[u32]) -> u64 {
-    let mut hasher = FxHasher::default();
-    members.hash(&mut hasher);
-    hasher.finish()
 }

@@ -104,3 +104,74 @@ fn the_play_ends_where_the_loop_begins() {
            control -> lamp.on()",
     );
 }
+
+#[test]
+fn cases_without_fragments_count_as_nodes() {
+    let scenario = |cases: usize| {
+        let cases = "{ } or ".repeat(cases);
+        let body = format!("guarantee scenario S {{ user -> control.press() alternative {cases} {{ }} }}");
+        let text = WORLD.replace("BODY", &body);
+        let loaded = load("world.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
+        specification(&loaded).err().map(|failure| failure.diagnostics())
+    };
+    // Beside the cases: the scenario's body, the message, the `alternative`, and the last case.
+    assert_eq!(scenario(65_532), None);
+    let codes: Vec<Code> = scenario(65_533).expect("errors").iter().map(|d| d.code).collect();
+    assert_eq!(codes, [Code::TooLarge]);
+}
+
+/// The code of the mistake that a specification of one operation with this parameter runs into.
+#[track_caller]
+fn check_parameter(ty: &str, sections: &str, argument: &str, expect: Option<Code>) {
+    let text = format!(
+        "specification S {{
+           domain d {{ class C {{ }} class E {{ go(x: {ty}) }} class U {{ start() }} }}
+           object c: C  object e: E  object u: U
+           controllable {{ C }} {sections}
+           collaboration K {{ guarantee scenario G {{ e -> u.start() urgent c -> e.go({argument}) }} }}
+         }}"
+    );
+    let loaded = load("s.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
+    let run =
+        || play_and_solve(&specification(&loaded)?, &Options::default(), &mut Timings::default()).map(drop);
+    let code = run().err().map(|failure| failure.diagnostics()[0].code);
+    assert_eq!(code, expect);
+}
+
+#[test]
+fn types_too_large_to_expand_are_refused() {
+    check_parameter("0..=9", "", "*", None);
+    check_parameter("0..=4294967294", "", "7", None);
+    check_parameter("0..=4294967294", "", "*", Some(Code::LimitReached));
+    let few = "parameter ranges { E.go(x = [0..=3]) }";
+    check_parameter("0..=4294967294", few, "*", None);
+    let many = "parameter ranges { E.go(x = [0..=4294967294]) }";
+    check_parameter("0..=4294967294", many, "7", Some(Code::OutOfRange));
+}
+
+#[test]
+fn a_long_loop_within_one_step_settles() {
+    check(
+        "guarantee scenario G {
+           user -> control.press()
+           var 0..=100000 n = 0
+           while [n < 30000] { wait [true] n = n + 1 }
+           urgent control -> lamp.on()
+         }",
+        "control -> lamp.on()",
+    );
+}
+
+#[test]
+fn a_loop_that_comes_round_to_itself_is_a_mistake() {
+    let body = "guarantee scenario G {
+                  user -> control.press()
+                  var 0..=9 n = 0
+                  while { wait [true] alternative [n < 9] { n = n + 1 } or [n == 9] { n = 3 } }
+                }";
+    let text = WORLD.replace("BODY", body);
+    let loaded = load("world.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
+    let spec = specification(&loaded).expect("a specification");
+    let failure = play_and_solve(&spec, &Options::default(), &mut Timings::default()).expect_err("a mistake");
+    assert_eq!(failure.diagnostics()[0].code, Code::PlayOutLoop);
+}

@@ -33,7 +33,7 @@ impl Playout<'_> {
             if self.copies.get(copy).obligations.iter().any(|&(_, open)| open == key) {
                 let valuation = (config.valuation, self.valuations.get(config.valuation));
                 let offers = self.offers.of(self.spec, &mut self.events, &self.copies, copy, valuation);
-                let system = &self.offers.get(offers).system;
+                let system = &offers.system;
                 wanted.extend(system.iter().filter_map(|(_, event)| event.as_ref().ok()));
             }
         }

@@ -1,7 +1,7 @@
 //! Scenario copies, interned, with what can be said of each once for all.
 
-use super::indexed::Indexed;
 use super::keys::{Key, KeyId, Keys};
+use crate::intern::Indexed;
 use crate::model::{Argument, Expr, NodeId, NodeKind, Scenario, Spec, Value};
 
 /// Index of a copy, in order of discovery.

@@ -10,9 +10,6 @@ use crate::model::{Case, Expr, Node, NodeId, NodeKind, Scenario, Scope, Spec, Ty
 use crate::syntax::Span;
 use std::cell::Cell;
 
-/// After so many silent moves within one settling, a loop is suspected and looked for.
-const PATIENCE: usize = 64;
-
 /// A copy on its way.
 pub(super) struct Walker<'a> {
     pub(super) spec: &'a Spec,
@@ -241,31 +238,33 @@ impl Walker<'_> {
 
     /// Silent moves, the textually first one first, until nothing changes.
     pub(super) fn settle(&mut self) -> Rest {
-        let mut seen: Vec<(Vec<NodeId>, Vec<Value>)> = Vec::new();
-        for moves in 0_usize.. {
+        // A silent move depends on cut and variables alone. What comes round to itself comes round to one of the
+        // places remembered, which lie ever further apart (Brent's algorithm).
+        let mut remembered = (Vec::new(), Vec::new());
+        let (mut moves, mut next) = (0_usize, 1);
+        loop {
             if self.cut.is_empty() {
                 return Rest::Ended;
             }
-            if moves >= PATIENCE {
-                let here = (self.cut.clone(), self.variables.clone());
-                if seen.contains(&here) {
-                    let span = self.scenario.nodes[usize::from(self.cut[0])].span;
-                    self.error.get_or_insert_with(|| PlayError {
-                        code: Code::PlayOutLoop,
-                        span,
-                        message: "this loop never settles".to_owned(),
-                    });
-                    return Rest::Ended;
-                }
-                seen.push(here);
+            if remembered.0 == self.cut && remembered.1 == self.variables {
+                let span = self.scenario.nodes[usize::from(self.cut[0])].span;
+                self.error.get_or_insert_with(|| PlayError {
+                    code: Code::PlayOutLoop,
+                    span,
+                    message: "this loop never settles".to_owned(),
+                });
+                return Rest::Ended;
+            }
+            if moves == next {
+                remembered = (self.cut.clone(), self.variables.clone());
+                next *= 2;
             }
             match self.silent_move() {
-                Some(Rest::Waits) => {}
+                Some(Rest::Waits) => moves += 1,
                 Some(rest) => return rest,
                 None => return Rest::Waits,
             }
         }
-        Rest::Waits
     }
 
     /// Does the first silent move; `None` if there is none.
@@ -301,7 +300,8 @@ impl Walker<'_> {
     }
 }
 
-/// Whether values of `ty` are compared with a variable's type when they are bound to it.
-pub(super) fn is_class(ty: Type) -> bool {
-    matches!(ty, Type::Class(_))
+/// Whether a message with this value can be bound to a variable of type `ty`: one of a subclass only takes what fits;
+/// integers are checked when they are stored.
+pub(super) fn can_hold(spec: &Spec, ty: Type, value: Value) -> bool {
+    !matches!(ty, Type::Class(_)) || spec.domain.fits(value, ty)
 }

@@ -1,11 +1,9 @@
 //! Events: interned, and the universe of what the environment could ever send.
 
 use super::PlayError;
-use super::indexed::Indexed;
 use crate::diagnostic::Code;
-use crate::model::{
-    Argument, ConstraintKind, Kind, Message, ObjectId, OperationId, RoleRef, Scenario, SlotId, Spec, Value,
-};
+use crate::intern::Indexed;
+use crate::model::{Argument, Kind, Message, ObjectId, OperationId, RoleRef, Scenario, SlotId, Spec, Value};
 
 /// Index of an event. Environment events come first, in the order of their texts.
 pub type EventId = u32;
@@ -142,25 +140,54 @@ fn text(spec: &Spec, signature: &Signature) -> String {
 }
 
 /// The values over which a parameter is expanded where it is not bound: its range, or the whole type.
+///
+/// # Errors
+/// They are too many.
 pub(super) fn parameter_values(
     spec: &Spec,
     receiver: ObjectId,
-    operation: OperationId,
+    message: &Message,
     parameter: usize,
-) -> Vec<Value> {
-    let mut ranges = spec
+) -> Result<Vec<Value>, PlayError> {
+    if let Some(values) = range(spec, receiver, message.operation, parameter) {
+        return Ok(values);
+    }
+    let ty = spec.domain.operations[message.operation].parameters[parameter].1;
+    if spec.domain.cardinality(ty) > MOST_EVENTS as u64 {
+        return Err(too_many(message));
+    }
+    Ok(spec.domain.values(ty).collect())
+}
+
+/// The declared range of a parameter.
+fn range(spec: &Spec, receiver: ObjectId, operation: OperationId, parameter: usize) -> Option<Vec<Value>> {
+    let ranges = spec
         .ranges
         .iter()
-        .filter(|range| range.parameter == parameter && spec.refers(range.event, receiver, operation))
-        .peekable();
-    let ty = spec.domain.operations[operation].parameters[parameter].1;
-    if ranges.peek().is_none() {
-        return spec.domain.values(ty).collect();
-    }
+        .filter(|range| range.parameter == parameter && spec.refers(range.event, receiver, operation));
+    ranges.clone().next()?;
     let mut values: Vec<Value> = ranges.flat_map(|range| range.values.iter().copied()).collect();
     values.sort_unstable();
     values.dedup();
-    values
+    Some(values)
+}
+
+/// Refuses more combinations of values than there may be events.
+pub(super) fn check_count(
+    choices: &[Vec<Value>],
+    message: &Message,
+    already: usize,
+) -> Result<(), PlayError> {
+    let count = choices.iter().fold(1_usize, |n, values| n.saturating_mul(values.len()));
+    if count.saturating_add(already) > MOST_EVENTS { Err(too_many(message)) } else { Ok(()) }
+}
+
+fn too_many(message: &Message) -> PlayError {
+    PlayError {
+        code: Code::LimitReached,
+        span: message.span,
+        message: format!("this message stands for more than {MOST_EVENTS} different events"),
+    }
 }
 
 /// Every environment event that matches the message with all roles and variables unbound.
@@ -180,27 +207,24 @@ fn expand(
             }
             let mut choices = Vec::new();
             for (parameter, argument) in message.arguments.iter().enumerate() {
-                let mut values = parameter_values(spec, receiver, message.operation, parameter);
-                if let Argument::Value(value) = argument
-                    && let Some(constant) = value.constant()
-                {
-                    // `null` is no value that is expanded, but can be named.
-                    let ranged = has_range(spec, receiver, message.operation, parameter);
-                    let ty = spec.domain.operations[message.operation].parameters[parameter].1;
-                    let allowed =
-                        if ranged { values.contains(&constant) } else { spec.domain.fits(constant, ty) };
-                    values = if allowed { vec![constant] } else { Vec::new() };
-                }
-                choices.push(values);
-            }
-            let count = choices.iter().try_fold(1_usize, |n, values| n.checked_mul(values.len()));
-            if count.is_none_or(|count| count + all.len() > MOST_EVENTS) {
-                return Err(PlayError {
-                    code: Code::LimitReached,
-                    span: message.span,
-                    message: format!("this message stands for more than {MOST_EVENTS} different events"),
+                let constant = match argument {
+                    Argument::Value(value) => value.constant(),
+                    Argument::Any | Argument::Bind(_) => None,
+                };
+                choices.push(match constant {
+                    None => parameter_values(spec, receiver, message, parameter)?,
+                    Some(constant) => {
+                        // `null` is no value that is expanded, but can be named.
+                        let ty = spec.domain.operations[message.operation].parameters[parameter].1;
+                        let allowed = range(spec, receiver, message.operation, parameter).map_or_else(
+                            || spec.domain.fits(constant, ty),
+                            |values| values.contains(&constant),
+                        );
+                        if allowed { vec![constant] } else { Vec::new() }
+                    }
                 });
             }
+            check_count(&choices, message, all.len())?;
             for_each_combination(&choices, &mut |arguments| {
                 let arguments = arguments.into();
                 all.push(Signature { sender, receiver, operation: message.operation, arguments });
@@ -208,11 +232,6 @@ fn expand(
         }
     }
     Ok(())
-}
-
-fn has_range(spec: &Spec, receiver: ObjectId, operation: OperationId, parameter: usize) -> bool {
-    let mut ranges = spec.ranges.iter();
-    ranges.any(|range| range.parameter == parameter && spec.refers(range.event, receiver, operation))
 }
 
 /// The objects that can play a role.
@@ -243,7 +262,3 @@ pub(super) fn for_each_combination(choices: &[Vec<Value>], visit: &mut dyn FnMut
     }
     go(choices, &mut Vec::with_capacity(choices.len()), visit);
 }
-
-/// The order of the rows in the reaction table below `ignore`: which constraint kinds decide first.
-pub(super) const ROWS: [ConstraintKind; 4] =
-    [ConstraintKind::Ignore, ConstraintKind::Forbidden, ConstraintKind::Interrupt, ConstraintKind::Consider];

@@ -1,9 +1,7 @@
 //! Fairness keys: obligations by what tells them apart (language reference, section 5).
 
+use crate::intern::Indexed;
 use crate::model::{NodeId, Value};
-use indexed::Indexed;
-
-use super::indexed;
 
 /// Index of a key, in order of discovery.
 pub type KeyId = u32;

@@ -13,8 +13,8 @@ mod attributes;
 mod copies;
 mod cut;
 mod events;
-mod indexed;
 mod keys;
+mod memo;
 mod offers;
 mod react;
 mod step;
@@ -33,7 +33,7 @@ pub use turn::{Goal, Move, Moves};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::model::{Failure, Spec};
 use crate::syntax::Span;
-use attributes::Valuations;
+use attributes::{Valuations, valuations};
 use copies::Copies;
 use events::Events;
 use keys::Keys;
@@ -76,6 +76,9 @@ impl PlayError {
     pub fn diagnostic(&self, play: &[String]) -> Diagnostic {
         let diagnostic = Diagnostic::error(self.code, self.span, self.message.clone());
         match play {
+            _ if self.code == Code::LimitReached => {
+                diagnostic.help("narrow the types of its parameters, or give them `parameter ranges`")
+            }
             [] => diagnostic.note("this happens in the initial state"),
             _ => diagnostic.note(format!("the shortest play that leads there:\n  {}", play.join("\n  "))),
         }
@@ -108,7 +111,7 @@ impl<'s> Playout<'s> {
             semantics,
             followed: None,
             events: Events::new(spec)?,
-            valuations: Valuations::new(&spec.domain),
+            valuations: valuations(&spec.domain),
             copies: Copies::new(),
             keys: Keys::default(),
             reactions: Reactions::default(),
@@ -192,7 +195,7 @@ impl<'s> Playout<'s> {
     /// Bytes held by the interned parts.
     #[must_use]
     pub fn memory(&self) -> usize {
-        self.valuations.memory() + self.copies.memory() + self.reactions.memory()
+        self.valuations.memory() + self.copies.memory() + self.reactions.memory() + self.offers.memory()
     }
 }
 

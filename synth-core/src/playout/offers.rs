@@ -1,14 +1,17 @@
 //! What a copy wants: the events that messages with a modality at its cut ask for.
 
 use super::copies::{Copies, CopyId};
-use super::events::{EventId, Events, Signature, for_each_combination, links, parameter_values, players};
+use super::cut::can_hold;
+use super::events::{
+    EventId, Events, Signature, check_count, for_each_combination, links, parameter_values, players,
+};
+use super::memo::Memo;
 use super::{PlayError, ValuationId, play_error};
 use crate::diagnostic::Code;
 use crate::model::{
     Argument, Kind, Message, Modality, NodeKind, ObjectId, OperationId, RoleRef, Scenario, Scope, Spec, Type,
     UNSET, Value,
 };
-use rustc_hash::FxHashMap;
 use std::cell::Cell;
 
 /// An event that is asked for, or the mistake of a message whose arguments have no value.
@@ -23,22 +26,11 @@ pub(super) struct Offers {
     pub(super) environment: Vec<(Option<Modality>, EventId)>,
 }
 
-const UNKNOWN: u32 = u32::MAX;
-const DEPENDS: u32 = u32::MAX - 1;
-
-/// Offers remembered, like reactions.
+/// The offers of copies, as far as anybody asked.
 #[derive(Debug, Default)]
-pub(super) struct OfferTable {
-    offers: Vec<Offers>,
-    of_copy: Vec<u32>,
-    in_valuation: FxHashMap<(CopyId, ValuationId), u32>,
-}
+pub(super) struct OfferTable(Memo<CopyId, Offers>);
 
 impl OfferTable {
-    pub(super) fn get(&self, offers: u32) -> &Offers {
-        &self.offers[offers as usize]
-    }
-
     /// The offers of a copy under a valuation, whose values are `attributes`.
     pub(super) fn of(
         &mut self,
@@ -47,31 +39,14 @@ impl OfferTable {
         copies: &Copies,
         copy: CopyId,
         (valuation, attributes): (ValuationId, &[Value]),
-    ) -> u32 {
-        let row = copy as usize;
-        if self.of_copy.len() <= row {
-            self.of_copy.resize(row + 1, UNKNOWN);
-        }
-        match self.of_copy[row] {
-            UNKNOWN => {}
-            DEPENDS => {
-                if let Some(&known) = self.in_valuation.get(&(copy, valuation)) {
-                    return known;
-                }
-            }
-            known => return known,
-        }
-        let reads_state = Cell::new(false);
-        let offers = collect(spec, events, copies, copy, attributes, &reads_state);
-        let id = self.offers.len() as u32;
-        self.offers.push(offers);
-        if reads_state.get() {
-            self.of_copy[row] = DEPENDS;
-            self.in_valuation.insert((copy, valuation), id);
-        } else {
-            self.of_copy[row] = id;
-        }
-        id
+    ) -> &Offers {
+        self.0
+            .get(copy, valuation, |reads_state| collect(spec, events, copies, copy, attributes, reads_state))
+    }
+
+    /// Bytes held, about.
+    pub(super) fn memory(&self) -> usize {
+        self.0.memory(size_of::<(Modality, Wanted)>())
     }
 }
 
@@ -135,10 +110,7 @@ fn matching(
     };
     let argument = |argument: &Argument, given: Value| match argument {
         Argument::Any => true,
-        Argument::Bind(variable) => match scenario.variables[*variable].ty {
-            ty @ Type::Class(_) => spec.domain.fits(given, ty),
-            _ => true,
-        },
+        Argument::Bind(variable) => can_hold(spec, scenario.variables[*variable].ty, given),
         Argument::Value(value) => scope.eval(value) == Ok(given),
     };
     events
@@ -166,7 +138,6 @@ fn to_send(
         RoleRef::Dynamic(r) if scope.roles[r] != UNSET => vec![scope.roles[r] as usize],
         role => players(spec, scenario, role),
     };
-    let parameters = &spec.domain.operations[message.operation].parameters;
     let mut wanted = Vec::new();
     for sender in bound(message.sender).into_iter().filter(|&sender| spec.controllable[sender]) {
         for receiver in bound(message.receiver) {
@@ -178,23 +149,14 @@ fn to_send(
                 continue;
             }
             let mut choices = Vec::new();
-            for (index, argument) in message.arguments.iter().enumerate() {
-                choices.push(match argument {
-                    Argument::Any => parameter_values(spec, receiver, message.operation, index),
-                    Argument::Bind(variable) => {
-                        let ty = scenario.variables[*variable].ty;
-                        let mut values = parameter_values(spec, receiver, message.operation, index);
-                        values.retain(|&value| !super::cut::is_class(ty) || spec.domain.fits(value, ty));
-                        values
-                    }
-                    Argument::Value(value) => match scope.eval(value) {
-                        Ok(value) => match check_argument(spec, message, &parameters[index], value) {
-                            Ok(values) => values,
-                            Err(mistake) => return vec![Err(mistake)],
-                        },
-                        Err(failure) => return vec![Err(play_error(failure, message.span))],
-                    },
-                });
+            for index in 0..message.arguments.len() {
+                match argument_values(spec, scenario, message, index, receiver, scope) {
+                    Ok(values) => choices.push(values),
+                    Err(mistake) => return vec![Err(mistake)],
+                }
+            }
+            if let Err(mistake) = check_count(&choices, message, 0) {
+                return vec![Err(mistake)];
             }
             for_each_combination(&choices, &mut |arguments| {
                 let operation = message.operation;
@@ -219,6 +181,31 @@ fn is_linked(
             scope.attributes[slot] == receiver as Value
         })
     })
+}
+
+/// The values of one argument of a message that is sent to `receiver`; an unbound one is expanded.
+fn argument_values(
+    spec: &Spec,
+    scenario: &Scenario,
+    message: &Message,
+    index: usize,
+    receiver: ObjectId,
+    scope: &Scope<'_>,
+) -> Result<Vec<Value>, PlayError> {
+    match &message.arguments[index] {
+        Argument::Any => parameter_values(spec, receiver, message, index),
+        Argument::Bind(variable) => {
+            let ty = scenario.variables[*variable].ty;
+            let mut values = parameter_values(spec, receiver, message, index)?;
+            values.retain(|&value| can_hold(spec, ty, value));
+            Ok(values)
+        }
+        Argument::Value(value) => {
+            let value = scope.eval(value).map_err(|failure| play_error(failure, message.span))?;
+            let parameter = &spec.domain.operations[message.operation].parameters[index];
+            check_argument(spec, message, parameter, value)
+        }
+    }
 }
 
 /// The value of an evaluated argument: an object of the wrong class fits nothing, an integer out of range is a

@@ -1,15 +1,15 @@
 //! What one event does to one copy, and which copies it starts.
 
 use super::copies::{Copies, CopyId, Identity};
-use super::cut::{Rest, Walker};
-use super::events::{Event, EventId, ROWS};
+use super::cut::{Rest, Walker, can_hold};
+use super::events::{Event, EventId};
 use super::keys::{KeyId, Keys};
+use super::memo::Memo;
 use super::{PlayError, ValuationId, play_error};
 use crate::model::{
     Argument, ConstraintKind, Failure, Kind, Message, NodeId, NodeKind, RoleRef, Scenario, Scope, Spec,
     UNSET, Value,
 };
-use rustc_hash::FxHashMap;
 use std::cell::Cell;
 
 /// What becomes of a copy, or what an event starts.
@@ -27,22 +27,11 @@ pub(super) struct Outcome {
     pub(super) error: Option<PlayError>,
 }
 
-/// Index of an outcome.
-pub(super) type OutcomeId = u32;
-
-const UNKNOWN: u32 = u32::MAX;
-const DEPENDS: u32 = u32::MAX - 1;
-
-/// Outcomes remembered: for all states where they depend on no attribute that can change, else per valuation.
+/// What was found out so far.
 #[derive(Debug, Default)]
 pub(super) struct Reactions {
-    outcomes: Vec<Outcome>,
-    /// Per event: what it starts.
-    started: Vec<u32>,
-    started_in: FxHashMap<(EventId, ValuationId), OutcomeId>,
-    /// Per copy and event.
-    reacted: Vec<Vec<u32>>,
-    reacted_in: FxHashMap<(CopyId, EventId, ValuationId), OutcomeId>,
+    started: Memo<EventId, Outcome>,
+    reacted: Memo<(CopyId, EventId), Outcome>,
 }
 
 /// The surroundings of one event: everything that an outcome can depend on.
@@ -60,20 +49,6 @@ pub(super) struct Occasion<'a> {
 }
 
 impl Reactions {
-    pub(super) fn outcome(&self, outcome: OutcomeId) -> &Outcome {
-        &self.outcomes[outcome as usize]
-    }
-
-    pub(super) fn memory(&self) -> usize {
-        let rows: usize = self.reacted.iter().map(|row| row.capacity() * size_of::<u32>()).sum();
-        rows + self.reacted_in.capacity() * 24 + self.outcomes.capacity() * size_of::<Outcome>()
-    }
-
-    fn push(&mut self, outcome: Outcome) -> OutcomeId {
-        self.outcomes.push(outcome);
-        (self.outcomes.len() - 1) as OutcomeId
-    }
-
     /// What becomes of `copy`.
     pub(super) fn react(
         &mut self,
@@ -81,33 +56,10 @@ impl Reactions {
         keys: &mut Keys,
         copy: CopyId,
         occasion: &Occasion<'_>,
-    ) -> OutcomeId {
-        let (row, column) = (copy as usize, occasion.id as usize);
-        if self.reacted.len() <= row {
-            self.reacted.resize(row + 1, Vec::new());
-        }
-        if self.reacted[row].len() <= column {
-            self.reacted[row].resize(column + 1, UNKNOWN);
-        }
-        match self.reacted[row][column] {
-            UNKNOWN => {}
-            DEPENDS => {
-                if let Some(&known) = self.reacted_in.get(&(copy, occasion.id, occasion.valuation)) {
-                    return known;
-                }
-            }
-            known => return known,
-        }
-        let reads_state = Cell::new(false);
-        let outcome = reaction(copies, keys, copy, occasion, &reads_state);
-        let id = self.push(outcome);
-        if reads_state.get() {
-            self.reacted[row][column] = DEPENDS;
-            self.reacted_in.insert((copy, occasion.id, occasion.valuation), id);
-        } else {
-            self.reacted[row][column] = id;
-        }
-        id
+    ) -> &Outcome {
+        self.reacted.get((copy, occasion.id), occasion.valuation, |reads_state| {
+            reaction(copies, keys, copy, occasion, reads_state)
+        })
     }
 
     /// Which copies the event starts.
@@ -116,33 +68,20 @@ impl Reactions {
         copies: &mut Copies,
         keys: &mut Keys,
         occasion: &Occasion<'_>,
-    ) -> OutcomeId {
-        let column = occasion.id as usize;
-        if self.started.len() <= column {
-            self.started.resize(column + 1, UNKNOWN);
-        }
-        match self.started[column] {
-            UNKNOWN => {}
-            DEPENDS => {
-                if let Some(&known) = self.started_in.get(&(occasion.id, occasion.valuation)) {
-                    return known;
-                }
+    ) -> &Outcome {
+        self.started.get(occasion.id, occasion.valuation, |reads_state| {
+            let mut outcome = Outcome::default();
+            for scenario in 0..occasion.spec.scenarios.len() {
+                start(copies, keys, scenario, occasion, reads_state, &mut outcome);
             }
-            known => return known,
-        }
-        let reads_state = Cell::new(false);
-        let mut outcome = Outcome::default();
-        for scenario in 0..occasion.spec.scenarios.len() {
-            start(copies, keys, scenario, occasion, &reads_state, &mut outcome);
-        }
-        let id = self.push(outcome);
-        if reads_state.get() {
-            self.started[column] = DEPENDS;
-            self.started_in.insert((occasion.id, occasion.valuation), id);
-        } else {
-            self.started[column] = id;
-        }
-        id
+            outcome
+        })
+    }
+
+    /// Bytes held, about.
+    pub(super) fn memory(&self) -> usize {
+        // An outcome seldom owns more than one list of one element.
+        self.started.memory(size_of::<CopyId>()) + self.reacted.memory(size_of::<CopyId>())
     }
 }
 
@@ -194,7 +133,9 @@ impl Matcher<'_> {
         for (argument, &given) in message.arguments.iter().zip(&self.occasion.event.arguments) {
             let matches = match argument {
                 Argument::Any => true,
-                Argument::Bind(variable) => self.can_hold(*variable, given),
+                Argument::Bind(variable) => {
+                    can_hold(self.occasion.spec, self.scenario.variables[*variable].ty, given)
+                }
                 Argument::Value(value) => {
                     self.scope().eval(value).map_err(|failure| play_error(failure, message.span))? == given
                 }
@@ -204,12 +145,6 @@ impl Matcher<'_> {
             }
         }
         Ok(true)
-    }
-
-    /// A variable of a subclass only takes what fits; integers are checked when they are stored.
-    fn can_hold(&self, variable: usize, given: Value) -> bool {
-        let ty = self.scenario.variables[variable].ty;
-        !super::cut::is_class(ty) || self.occasion.spec.domain.fits(given, ty)
     }
 
     /// Whether the event matches a pattern that is not enabled: what is not set yet matches anything, a path through
@@ -248,6 +183,10 @@ impl Matcher<'_> {
         })
     }
 }
+
+/// The rows of the reaction table between that of an enabled message and that of any other message, in their order.
+const ROWS: [ConstraintKind; 4] =
+    [ConstraintKind::Ignore, ConstraintKind::Forbidden, ConstraintKind::Interrupt, ConstraintKind::Consider];
 
 /// The first row of the reaction table that applies to the copy.
 enum Reaction {

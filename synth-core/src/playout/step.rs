@@ -119,7 +119,6 @@ impl Playout<'_> {
         };
         for &copy in &config.copies {
             let outcome = self.reactions.react(&mut self.copies, &mut self.keys, copy, &occasion);
-            let outcome = self.reactions.outcome(outcome);
             step.config.copies.extend_from_slice(&outcome.copies);
             step.violated.extend_from_slice(&outcome.violated);
             step.discharged.extend_from_slice(&outcome.discharged);
@@ -127,7 +126,6 @@ impl Playout<'_> {
             step.error = step.error.take().or_else(|| outcome.error.clone());
         }
         let started = self.reactions.start(&mut self.copies, &mut self.keys, &occasion);
-        let started = self.reactions.outcome(started);
         step.config.copies.extend_from_slice(&started.copies);
         step.violated.extend_from_slice(&started.violated);
         step.completed |= started.completed;

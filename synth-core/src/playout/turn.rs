@@ -136,7 +136,6 @@ impl Playout<'_> {
         let valuation = (config.valuation, self.valuations.get(config.valuation));
         for &copy in &config.copies {
             let offers = self.offers.of(self.spec, &mut self.events, &self.copies, copy, valuation);
-            let offers = self.offers.get(offers);
             for (modality, wanted) in &offers.system {
                 match wanted {
                     Ok(event) => wishes.system.push(((*modality).into(), *event)),

@@ -12,6 +12,8 @@ pub struct Loaded {
     pub sources: Sources,
     /// Mistakes in any of them.
     pub diagnostics: Vec<Diagnostic>,
+    /// Of every file but the main one, by [`FileId`]: the string that first imports it.
+    imported_at: Vec<Span>,
 }
 
 /// Reads a file that was asked for by this path.
@@ -75,7 +77,10 @@ impl Loader<'_> {
                 continue;
             }
             match (self.read)(&path) {
-                Ok(bytes) => self.file(&path, &bytes),
+                Ok(bytes) => {
+                    self.loaded.imported_at.push(import.span);
+                    self.file(&path, &bytes);
+                }
                 Err(why) => {
                     let message = format!("`{path}` cannot be read: {why}");
                     let help = "paths are relative to the file that imports";
@@ -121,6 +126,17 @@ impl Loaded {
     /// The main file's id.
     pub const MAIN: FileId = FileId(0);
 
+    /// The string in the main file that leads to `file`, directly or through others; `None` for the main file.
+    #[must_use]
+    pub fn import_of(&self, file: FileId) -> Option<Span> {
+        let at = |file: FileId| self.imported_at.get((file.0 as usize).checked_sub(1)?).copied();
+        let mut import = at(file)?;
+        while let Some(outer) = at(import.file) {
+            import = outer;
+        }
+        Some(import)
+    }
+
     /// FNV-1a of all texts in the order of their files, as 16 hex digits. Macro tokens have no text; their canonical
     /// form stands for it.
     #[must_use]
@@ -145,6 +161,7 @@ impl Loaded {
 mod tests {
     use super::{load, normalize};
     use crate::diagnostic::Code;
+    use crate::syntax::FileId;
 
     /// `files`: path and text; the first one is asked for.
     #[track_caller]
@@ -172,6 +189,16 @@ mod tests {
         let a = ("a.sml", "import \"b.sml\" specification A { }");
         let b = ("b.sml", "import \"a.sml\" specification B { }");
         check(&[a, b], &["B", "A"], &[(Code::CyclicImport, 1, 8)]);
+    }
+
+    #[test]
+    fn the_import_that_leads_to_a_file() {
+        let loaded = load("a.sml", b"import \"b.sml\" import \"d.sml\" specification A { }", &mut |path| {
+            let imports = if path == "b.sml" { "import \"c.sml\" " } else { "" };
+            Ok(format!("{imports}specification B {{ }}").into_bytes())
+        });
+        let columns = (0..5).map(|file| loaded.import_of(FileId(file)).map(|span| span.start.column));
+        assert_eq!(columns.collect::<Vec<_>>(), [None, Some(8), Some(8), Some(23), None]);
     }
 
     #[test]

@@ -5,12 +5,13 @@
 //! the tests), but no exploration, graph, solver or minimiser.
 //!
 //! A node of the product is a state of the specification, a state of the controller, and how far a super step has
-//! come. [`product`] looks for what must never happen: an event of the environment that the controller refuses or
+//! come. [`shape`] asks whether it is a controller at all. [`product`] looks for what must never happen: an event of the environment that the controller refuses or
 //! that violates a guarantee, a command that is not allowed, a super step that ends too early. [`fairness`] looks
 //! for a cycle on which every assumption is kept and some guarantee starves.
 
 mod fairness;
 mod product;
+mod shape;
 
 use crate::controller::Controller;
 use crate::model::Spec;
@@ -51,6 +52,9 @@ pub fn verify(
     controller: &Controller,
     most_nodes: usize,
 ) -> Result<usize, VerifyError> {
+    if let Some(reason) = shape::fault(controller) {
+        return Err(VerifyError::Refuted(Refutation { reason, play: Vec::new(), cycle: Vec::new() }));
+    }
     let product = product::Product::explore(spec, semantics, controller, most_nodes)?;
     fairness::check(&product)?;
     Ok(product.nodes())

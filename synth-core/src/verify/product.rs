@@ -3,11 +3,10 @@
 use super::{Refutation, VerifyError};
 use crate::controller::{Controller, SuperStep};
 use crate::game::Turn;
+use crate::intern::Indexed;
 use crate::model::{Kind, Spec};
 use crate::playout::{Config, EventId, KeyId, Move, Moves, PlayError, Playout, Semantics};
-use hashbrown::HashTable;
-use rustc_hash::{FxHashMap, FxHasher};
-use std::hash::{Hash, Hasher};
+use rustc_hash::FxHashMap;
 
 /// A node: a state of the specification, one of the controller, and the next event of its due super step.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
@@ -30,8 +29,7 @@ pub(super) struct Edge {
 /// The product so far. Node 0 is the initial one.
 pub(super) struct Product<'a> {
     playout: Playout<'a>,
-    nodes: Vec<Node>,
-    index: HashTable<u32>,
+    nodes: Indexed<Node>,
     /// Per node: the edge on a shortest play into it.
     parent: Vec<Option<(u32, Option<EventId>)>>,
     /// Per explored node.
@@ -84,8 +82,7 @@ impl<'a> Product<'a> {
         let config = playout.initial().map_err(unplayed)?;
         let mut product = Product {
             playout,
-            nodes: Vec::new(),
-            index: HashTable::new(),
+            nodes: Indexed::default(),
             parent: Vec::new(),
             edges: Vec::new(),
             open: Vec::new(),
@@ -102,7 +99,7 @@ impl<'a> Product<'a> {
             if product.nodes.len() > most_nodes {
                 return Err(VerifyError::TooLarge(most_nodes));
             }
-            let node = product.nodes[id as usize].clone();
+            let node = product.nodes.get(id).clone();
             if let Err((event, mistake)) = product.playout.moves(&node.config, &mut moves) {
                 return Err(product.broken(id, event, mistake));
             }
@@ -212,14 +209,10 @@ impl<'a> Product<'a> {
     }
 
     fn intern(&mut self, node: Node, parent: Option<(u32, Option<EventId>)>) -> u32 {
-        let Product { nodes, index, .. } = self;
-        if let Some(&found) = index.find(hash(&node), |&id| nodes[id as usize] == node) {
-            return found;
+        let (id, new) = self.nodes.intern(node);
+        if new {
+            self.parent.push(parent);
         }
-        let id = nodes.len() as u32;
-        index.insert_unique(hash(&node), id, |&id| hash(&nodes[id as usize]));
-        nodes.push(node);
-        self.parent.push(parent);
         id
     }
 
@@ -286,10 +279,4 @@ fn check_components(spec: &Spec, controller: &Controller) -> Result<(), VerifyEr
         }
     }
     Ok(())
-}
-
-fn hash(node: &Node) -> u64 {
-    let mut hasher = FxHasher::default();
-    node.hash(&mut hasher);
-    hasher.finish()
 }

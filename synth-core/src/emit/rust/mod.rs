@@ -123,6 +123,7 @@ fn wrap(tables: &Tables, idents: &Idents, options: &Options, items: &TokenStream
             clippy::disallowed_names,
             clippy::doc_markdown,
             clippy::enum_variant_names,
+            clippy::module_inception,
             clippy::module_name_repetitions,
             clippy::similar_names,
             clippy::struct_field_names,

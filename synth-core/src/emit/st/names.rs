@@ -8,6 +8,7 @@ use std::collections::BTreeSet;
 use super::Target;
 use super::reserved::is_reserved;
 use crate::controller::tables::Tables;
+use crate::emit::names::identifier;
 
 /// What the text of a controller calls things; made for people and tools, see `sml names`.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -172,30 +173,6 @@ impl Scope {
     }
 }
 
-/// Runs of anything but letters and digits become one `_`, none at the ends; `-1` becomes `m1`.
-fn identifier(text: &str) -> String {
-    let mut name = String::with_capacity(text.len());
-    let mut gap = false;
-    let mut characters = text.chars().peekable();
-    while let Some(c) = characters.next() {
-        let minus = c == '-' && characters.peek().is_some_and(char::is_ascii_digit);
-        if !c.is_ascii_alphanumeric() && !minus {
-            gap = true;
-            continue;
-        }
-        if gap && !name.is_empty() {
-            name.push('_');
-        }
-        gap = false;
-        name.push(if minus { 'm' } else { c });
-    }
-    // Not from any specification, but an identifier all the same.
-    if name.is_empty() || name.starts_with(|c: char| c.is_ascii_digit()) {
-        name.insert(0, 'x');
-    }
-    name
-}
-
 /// At most `limit` characters: who acts stands at the start of a name and what happens at its end, so the middle
 /// goes. `name` is ASCII.
 fn shortened(name: &str, limit: usize) -> String {
@@ -210,31 +187,6 @@ fn shortened(name: &str, limit: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[track_caller]
-    fn check(text: &str, name: &str) {
-        assert_eq!(identifier(text), name);
-    }
-
-    #[test]
-    fn runs_become_one_underscore() {
-        check("feedBelt -> controller.blankArrived()", "feedBelt_controller_blankArrived");
-        check("a -> b.c(press, 3)", "a_b_c_press_3");
-        check("a__b_ -> _c.d_()", "a_b_c_d");
-    }
-
-    #[test]
-    fn negative_numbers() {
-        check("a -> b.c(-1, -20)", "a_b_c_m1_m20");
-        check("a->b.c(1)", "a_b_c_1");
-    }
-
-    #[test]
-    fn never_empty_nor_a_number() {
-        check("", "x");
-        check("(é)", "x");
-        check("3 -> 4", "x3_4");
-    }
 
     #[test]
     fn clashes_ignore_case_and_skip_taken_numbers() {

@@ -120,7 +120,10 @@ impl Resolver {
                 }
                 continue;
             }
-            let Some(ty) = self.ty(&attribute.ty) else { continue };
+            let Some(ty) = self.ty(&attribute.ty) else {
+                self.lost.extend([name.text.clone(), setter_name(&name.text)]);
+                continue;
+            };
             let initial = match ty {
                 Type::Bool | Type::Enum(_) => 0,
                 Type::Int(low, _) => low,
@@ -158,11 +161,14 @@ impl Resolver {
                 continue;
             }
             self.check_unique("parameter", operation.parameters.iter().map(|(name, _)| name));
-            let mut parameters = Vec::new();
-            for (parameter, ty) in &operation.parameters {
-                let Some(ty) = self.ty(ty) else { continue };
-                parameters.push((parameter.text.clone(), ty));
-            }
+            let typed = operation.parameters.iter().map(|(name, ty)| (name.text.clone(), self.ty(ty)));
+            let typed: Vec<(String, Option<Type>)> = typed.collect();
+            let parameters: Option<Vec<(String, Type)>> =
+                typed.into_iter().map(|(name, ty)| Some((name, ty?))).collect();
+            let Some(parameters) = parameters else {
+                self.lost.insert(name.text.clone());
+                continue;
+            };
             self.domain.classes[id].operations.push(self.domain.operations.len());
             let operation = Operation { name: name.text.clone(), parameters, sets: None, mentioned: false };
             self.domain.operations.push(operation);
@@ -184,6 +190,7 @@ impl Resolver {
         }
         let Some(class) = class else {
             self.names.remove(&object.name.text);
+            self.lost.insert(object.name.text.clone());
             return;
         };
         let first_slot = self.domain.slot_types.len();

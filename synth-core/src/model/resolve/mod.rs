@@ -14,7 +14,7 @@ use super::{ClassId, Domain, EventRef, ObjectId, OperationId, Spec, Type};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::syntax::Span;
 use crate::syntax::ast;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use suggest::did_you_mean;
 
 /// Resolves a specification: the files in order of import, the one that was asked for last.
@@ -57,6 +57,8 @@ enum Meaning {
 struct Resolver {
     domain: Domain,
     names: BTreeMap<String, (Meaning, Span)>,
+    /// Names of declarations that were wrong: that they are unknown follows from a mistake reported already.
+    lost: BTreeSet<String>,
     diagnostics: Vec<Diagnostic>,
 }
 
@@ -76,8 +78,12 @@ impl Resolver {
         self.diagnostics.push(diagnostic.also(first, "first declared here").help("rename one of the two"));
     }
 
-    /// Reports a name that means nothing, with the nearest of `candidates` if one is near.
+    /// Reports a name that means nothing, with the nearest of `candidates` if one is near, unless its declaration was
+    /// reported.
     fn unknown<'a>(&mut self, what: &str, name: &ast::Name, candidates: impl Iterator<Item = &'a str>) {
+        if self.lost.contains(&name.text) {
+            return;
+        }
         let near = did_you_mean(&name.text, candidates);
         let help =
             near.unwrap_or_else(|| format!("declare `{}`, or write a name that is declared", name.text));

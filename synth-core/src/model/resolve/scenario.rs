@@ -43,7 +43,10 @@ impl Resolver {
         self.check_unique("role", collaboration.roles.iter().map(|role| &role.name));
         let mut roles: Vec<Role> = Vec::new();
         for role in &collaboration.roles {
-            let Some(class) = self.class(&role.class) else { continue };
+            let Some(class) = self.class(&role.class) else {
+                self.lost.insert(role.name.text.clone());
+                continue;
+            };
             let object = match self.names.get(&role.name.text) {
                 Some(&(Meaning::Object(object), place)) => Some((object, place)),
                 _ => None,
@@ -130,6 +133,9 @@ impl Resolver {
     }
 }
 
+/// Every node has an id.
+const MOST_NODES: usize = NodeId::MAX as usize + 1;
+
 /// Builds the nodes of one scenario.
 struct Builder<'a> {
     resolver: &'a mut Resolver,
@@ -192,7 +198,11 @@ impl Builder<'_> {
         bindings
     }
 
+    /// Adds a node. One too many is an error, and then the scenario is given up; its id means nothing.
     fn push(&mut self, parent: NodeId, kind: NodeKind, span: Span) -> NodeId {
+        if self.nodes.len() == MOST_NODES {
+            self.resolver.error(Code::TooLarge, span, "the scenario has too many fragments");
+        }
         self.nodes.push(Node { parent, kind, span });
         (self.nodes.len() - 1) as NodeId
     }
@@ -221,9 +231,7 @@ impl Builder<'_> {
     }
 
     fn fragment(&mut self, fragment: &ast::Fragment, parent: NodeId) -> Option<NodeId> {
-        if self.nodes.len() >= usize::from(NodeId::MAX) {
-            let message = "the scenario has too many fragments";
-            self.resolver.error(Code::TooLarge, fragment.span, message);
+        if self.nodes.len() > MOST_NODES {
             return None;
         }
         let span = fragment.span;
@@ -320,7 +328,10 @@ impl Builder<'_> {
         parent: NodeId,
         span: Span,
     ) -> Option<NodeId> {
-        let ty = self.resolver.ty(ty)?;
+        let Some(ty) = self.resolver.ty(ty) else {
+            self.resolver.lost.insert(name.text.clone());
+            return None;
+        };
         let value = match value {
             Some(value) => Some(self.resolver.value_of_type(value, ty, &self.names, false)?),
             None => None,

@@ -11,6 +11,9 @@ use crate::model::ClassId;
 use crate::syntax::Span;
 use crate::syntax::ast;
 
+/// More values in one span of a parameter range are refused: each stands for an event.
+const MOST_VALUES: u64 = 1 << 20;
+
 impl Resolver {
     pub(super) fn effects(&mut self, sections: &[&ast::Section]) -> Vec<Effect> {
         let mut effects = Vec::new();
@@ -179,6 +182,12 @@ impl Resolver {
             (Some(low), Some(high)) if low > high => {
                 let place = span.low.span;
                 self.error(Code::OutOfRange, place, format!("the span from `{low}` to `{high}` is empty"));
+                Vec::new()
+            }
+            (Some(low), Some(high)) if high.abs_diff(low) >= MOST_VALUES => {
+                let message = format!("the span from `{low}` to `{high}` has more than 2^20 values");
+                self.error(Code::OutOfRange, span.low.span, message).help =
+                    Some("narrow the span".to_owned());
                 Vec::new()
             }
             (Some(low), Some(high)) => (low..=high).collect(),

@@ -7,7 +7,7 @@ use super::trees::shape;
 use super::{corpus, parse, tree};
 use crate::diagnostic::{compile_errors, render};
 use crate::syntax::ast::{BinaryOp, Expr, ExprKind, FragmentKind, Name, Path, Section, UnaryOp};
-use crate::syntax::{FileId, Sources, Span, parse_tokens, print};
+use crate::syntax::{FileId, Loaded, Sources, Span, parse_tokens, print};
 
 /// Text that is neither read nor refused in silence fails; so does a diagnostic out of order.
 fn survive(text: &str) {
@@ -23,7 +23,7 @@ fn survive(text: &str) {
     }
     if let Ok(tokens) = text.parse::<proc_macro2::TokenStream>() {
         let (_, errors) = parse_tokens(tokens.clone(), FileId(0));
-        let _ = compile_errors(&errors, &tokens);
+        let _ = compile_errors(&errors, &tokens, &Loaded::default());
     }
 }
 

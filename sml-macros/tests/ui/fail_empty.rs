@@ -1,0 +1,5 @@
+//! Nothing at all.
+
+sml_macros::sml! {}
+
+fn main() {}

@@ -1,0 +1,5 @@
+//! A file that does not exist.
+
+sml_macros::sml!("specs/nowhere.sml");
+
+fn main() {}

@@ -1,0 +1,21 @@
+//! An import that does not exist.
+
+sml_macros::sml! {
+    import "specs/nowhere.sml"
+    specification Lamp {
+      domain lamp { class Bulb { on() } class Button { } class Control { pressed() } }
+      object control: Control
+      object bulb: Bulb
+      object button: Button
+      controllable { Control }
+      collaboration Lamp {
+        /// the lamp answers the button
+        guarantee scenario Answers {
+          button -> control.pressed()
+          urgent control -> bulb.on()
+        }
+      }
+    }
+}
+
+fn main() {}

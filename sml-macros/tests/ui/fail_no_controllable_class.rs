@@ -1,0 +1,19 @@
+//! Nothing to control.
+
+sml_macros::sml! {
+    specification Lamp {
+      domain lamp { class Bulb { on() } class Button { } class Control { pressed() } }
+      object control: Control
+      object bulb: Bulb
+      object button: Button
+      collaboration Lamp {
+        /// the lamp answers the button
+        guarantee scenario Answers {
+          button -> control.pressed()
+          urgent control -> bulb.on()
+        }
+      }
+    }
+}
+
+fn main() {}

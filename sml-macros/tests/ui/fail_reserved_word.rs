@@ -1,0 +1,20 @@
+//! A keyword as a name.
+
+sml_macros::sml! {
+    specification Lamp {
+      domain lamp { class Bulb { on() wait() } class Button { } class Control { pressed() } }
+      object control: Control
+      object bulb: Bulb
+      object button: Button
+      controllable { Control }
+      collaboration Lamp {
+        /// the lamp answers the button
+        guarantee scenario Answers {
+          button -> control.pressed()
+          urgent control -> bulb.on()
+        }
+      }
+    }
+}
+
+fn main() {}

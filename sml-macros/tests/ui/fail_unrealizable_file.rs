@@ -1,0 +1,5 @@
+//! What one scenario makes urgent, another forbids.
+
+sml_macros::sml!("specs/clash.sml");
+
+fn main() {}

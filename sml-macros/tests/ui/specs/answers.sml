@@ -1,0 +1,8 @@
+specification Answers {
+  collaboration Lamp {
+    guarantee scenario Answers {
+      button -> control.pressed()
+      urgent control -> bulp.on()
+    }
+  }
+}

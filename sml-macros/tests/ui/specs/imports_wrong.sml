@@ -1,0 +1,2 @@
+import "answers.sml"
+specification More { }

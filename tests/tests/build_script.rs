@@ -1,0 +1,258 @@
+//! A build script that compiles a specification, and the macro with a file, in a package of their own: what is built,
+//! and when again.
+
+use sml_tests::scratch::Scratch;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+
+/// The domain and what the press of a button does, for import.
+const DEVICES: &str = "\
+specification Devices {
+  domain cell { class Bulb { on() off() } class Button { } class Control { pressed() } }
+  object control: Control
+  object bulb: Bulb
+  object lamp: Bulb
+  object button: Button
+  controllable { Control }
+  collaboration Devices {
+    guarantee scenario Answers { button -> control.pressed() urgent control -> bulb.on() }
+  }
+}
+";
+
+const CELL: &str = "\
+import \"devices.sml\"
+specification Cell {
+  collaboration Cell {
+    guarantee scenario Also { button -> control.pressed() urgent control -> lamp.on() }
+  }
+}
+";
+
+/// Says what the controller in `cell` commands.
+const MAIN: &str = "
+fn main() {
+    let commands = cell::Controller::new().react(cell::Event::ButtonControlPressed).expect(\"it fits\");
+    println!(\"{:?} {:?}\", commands.bulb, commands.lamp);
+}
+";
+
+/// A package with `src/main.rs` and the two specifications above.
+struct Package {
+    directory: PathBuf,
+    scratch: Scratch,
+}
+
+impl Package {
+    /// `dependencies` ends the manifest.
+    fn new(name: &str, dependencies: &str, main: &str) -> io::Result<Self> {
+        let parent = env!("CARGO_TARGET_TMPDIR");
+        let scratch = Scratch::new(parent, name, &[], dependencies)?;
+        let package = Package { directory: Path::new(parent).join(name), scratch };
+        let specs = package.directory.join("specs");
+        if specs.exists() {
+            fs::remove_dir_all(specs)?;
+        }
+        // What is not downloaded cannot be chosen.
+        package.write("Cargo.lock", &fs::read_to_string(format!("{ROOT}/Cargo.lock"))?)?;
+        package.write("src/main.rs", main)?;
+        package.write("specs/devices.sml", DEVICES)?;
+        package.write("specs/cell.sml", CELL)?;
+        Ok(package)
+    }
+
+    /// With a build script that runs `compile` and notes each of its runs.
+    fn with_script(name: &str, compile: &str) -> io::Result<Self> {
+        let dependencies = format!("[build-dependencies]\nsynth-core = {{ path = \"{ROOT}/synth-core\" }}\n");
+        let main = format!("include!(concat!(env!(\"OUT_DIR\"), \"/cell.rs\"));\n{MAIN}");
+        let package = Package::new(name, &dependencies, &main)?;
+        let script = format!(
+            "use std::io::Write as _;\n\
+             fn main() {{\n    \
+                 let mut runs = std::fs::File::options().create(true).append(true).open(\"runs.txt\").unwrap();\n    \
+                 writeln!(runs, \"{{}}\", std::env::var(\"OUT_DIR\").unwrap()).unwrap();\n    \
+                 {compile}\n\
+             }}\n"
+        );
+        package.write("build.rs", &script)?;
+        package.write("runs.txt", "")?;
+        Ok(package)
+    }
+
+    fn write(&self, path: &str, text: &str) -> io::Result<()> {
+        self.scratch.write(path, text)
+    }
+
+    fn read(&self, path: &str) -> String {
+        fs::read_to_string(self.directory.join(path)).expect("a text")
+    }
+
+    /// Replaces what must be there.
+    #[track_caller]
+    fn edit(&self, path: &str, old: &str, new: &str) {
+        let text = self.read(path);
+        assert!(text.contains(old), "{text}");
+        self.write(path, &text.replace(old, new)).expect("the file can be written");
+    }
+
+    /// Success, standard output and standard error of `cargo run`.
+    fn run(&self) -> (bool, String, String) {
+        // Dependencies are compiled once for all packages.
+        let target = concat!(env!("CARGO_TARGET_TMPDIR"), "/build-script-target");
+        let arguments = ["run", "--quiet", "--target-dir", target];
+        let output = self.scratch.cargo(&arguments, "").expect("cargo runs");
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
+        (output.status.success(), text(output.stdout), text(output.stderr))
+    }
+
+    #[track_caller]
+    fn check_run(&self, expect: &str) {
+        let (success, out, err) = self.run();
+        assert!(success, "{err}");
+        assert_eq!((out.trim_end(), err.as_str()), (expect, ""));
+    }
+
+    /// Fails, says each of `parts`, and nothing of the tool's own innards.
+    #[track_caller]
+    fn check_failure(&self, parts: &[&str]) {
+        let (success, _, err) = self.run();
+        assert!(!success);
+        for part in parts {
+            assert!(err.contains(part), "{part:?} in\n{err}");
+        }
+        assert!(!err.contains("panicked") && !err.contains("RUST_BACKTRACE"), "{err}");
+    }
+
+    fn script_runs(&self) -> usize {
+        self.read("runs.txt").lines().count()
+    }
+
+    /// The file that the script wrote.
+    fn generated(&self) -> PathBuf {
+        Path::new(self.read("runs.txt").lines().last().expect("a run")).join("cell.rs")
+    }
+}
+
+const COMPILE: &str = "synth_core::build::compile(\"specs/cell.sml\");";
+
+#[test]
+fn script_runs_again_when_a_specification_changes() -> io::Result<()> {
+    let package = Package::with_script("script-again", COMPILE)?;
+    package.check_run("Some(On) Some(On)");
+    let runs = package.script_runs();
+    package.check_run("Some(On) Some(On)");
+    assert_eq!(package.script_runs(), runs, "nothing has changed");
+
+    package.edit("specs/cell.sml", "lamp.on()", "lamp.off()");
+    package.check_run("Some(On) Some(Off)");
+    assert_eq!(package.script_runs(), runs + 1);
+
+    package.edit("specs/devices.sml", "bulb.on()", "bulb.off()");
+    package.check_run("Some(Off) Some(Off)");
+    assert_eq!(package.script_runs(), runs + 2);
+
+    package.edit("src/main.rs", "fn main", "// Edited.\nfn main");
+    package.check_run("Some(Off) Some(Off)");
+    assert_eq!(package.script_runs(), runs + 2, "the script does not depend on the program");
+    Ok(())
+}
+
+#[test]
+fn mistakes_are_shown_and_leave_the_output_alone() -> io::Result<()> {
+    let package = Package::with_script("script-mistakes", COMPILE)?;
+    package.check_run("Some(On) Some(On)");
+    let before = fs::read(package.generated())?;
+
+    package.edit("specs/cell.sml", "lamp.on()", "lamb.on()");
+    package.check_failure(&[
+        "error[SML0020]: unknown role or object `lamb`",
+        "--> specs/cell.sml:4:77",
+        "4 |     guarantee scenario Also",
+        "help: write `lamp`, which is declared",
+        "exit status: 1",
+    ]);
+    assert_eq!(fs::read(package.generated())?, before);
+
+    package.edit("specs/cell.sml", "lamb.on()", "lamp.on()");
+    package.edit("specs/devices.sml", "bulb.on()", "bulb.on(1)");
+    package.check_failure(&["error[SML0023]", "--> specs/devices.sml:9"]);
+    assert_eq!(fs::read(package.generated())?, before);
+
+    package.edit("specs/devices.sml", "bulb.on(1)", "bulb.on()");
+    let both = "urgent control -> lamp.on() } constraints [ forbidden control -> bulb.on() ]";
+    package.edit("specs/cell.sml", "urgent control -> lamp.on() }", both);
+    package.edit("specs/cell.sml", "urgent control -> lamp.on()", "button -> control.pressed()");
+    package.check_failure(&["error[SML0070]: no controller can meet this specification"]);
+    assert_eq!(fs::read(package.generated())?, before);
+
+    package.write("specs/cell.sml", CELL)?;
+    package.check_run("Some(On) Some(On)");
+    assert_eq!(fs::read(package.generated())?, before);
+    Ok(())
+}
+
+#[test]
+fn missing_files_are_named() -> io::Result<()> {
+    let package = Package::with_script("script-missing", COMPILE)?;
+    fs::rename(package.directory.join("specs/cell.sml"), package.directory.join("specs/other.sml"))?;
+    package.check_failure(&["error: specs/cell.sml cannot be read: ", "exit status: 1"]);
+    fs::rename(package.directory.join("specs/other.sml"), package.directory.join("specs/cell.sml"))?;
+    package.edit("specs/cell.sml", "devices.sml", "gone.sml");
+    package.check_failure(&["error[SML0033]: `specs/gone.sml` cannot be read: ", "--> specs/cell.sml:1:8"]);
+    package.write("specs/gone.sml", DEVICES)?;
+    package.check_run("Some(On) Some(On)");
+    Ok(())
+}
+
+#[test]
+fn limits_are_those_of_the_script() -> io::Result<()> {
+    let compile = "synth_core::build::Build::new().max_states(2).compile(\"specs/cell.sml\");";
+    let package = Package::with_script("script-limit", compile)?;
+    package.check_failure(&[
+        "error[SML0054]: the limit of 2 states was reached",
+        "help: raise it with `synth_core::build::Build`",
+    ]);
+    Ok(())
+}
+
+/// Build scripts are compiled without optimisation, and so are their dependencies.
+#[test]
+fn production_cell_takes_less_than_a_second() -> io::Result<()> {
+    let compile = "let start = std::time::Instant::now();\n    \
+                   synth_core::build::compile(\"specs/production.cell.sml\");\n    \
+                   std::fs::write(\"microseconds.txt\", start.elapsed().as_micros().to_string()).unwrap();";
+    let package = Package::with_script("script-time", compile)?;
+    package.write("specs/production.cell.sml", &fs::read_to_string("specs/production_cell/spec.sml")?)?;
+    let main = "include!(concat!(env!(\"OUT_DIR\"), \"/production.cell.rs\"));\n\
+                fn main() { println!(\"{}\", production_cell::Controller::new().state()); }";
+    package.write("src/main.rs", main)?;
+    package.check_run("0");
+    let milliseconds = package.read("microseconds.txt").parse::<f64>().expect("a number") / 1000.0;
+    println!("production cell in a build script without optimisation: {milliseconds:.1} ms");
+    assert!(milliseconds < 1000.0, "{milliseconds} ms");
+    Ok(())
+}
+
+#[test]
+fn macro_follows_the_file() -> io::Result<()> {
+    let dependency = format!("sml-macros = {{ path = \"{ROOT}/sml-macros\" }}\n");
+    let main = format!("sml_macros::sml!(\"specs/cell.sml\");\n{MAIN}");
+    let package = Package::new("macro-again", &dependency, &main)?;
+    package.check_run("Some(On) Some(On)");
+    package.edit("specs/cell.sml", "lamp.on()", "lamp.off()");
+    package.check_run("Some(On) Some(Off)");
+    package.edit("specs/devices.sml", "bulb.on()", "bulb.off()");
+    package.check_run("Some(Off) Some(Off)");
+
+    package.edit("specs/devices.sml", "bulb.off()", "bulp.off()");
+    package.check_failure(&[
+        "error: [SML0020] unknown role or object `bulp`",
+        "--> specs/devices.sml:9:80",
+        "sml_macros::sml!(\"specs/cell.sml\");",
+    ]);
+    package.edit("specs/devices.sml", "bulp.off()", "bulb.on()");
+    package.check_run("Some(On) Some(Off)");
+    Ok(())
+}

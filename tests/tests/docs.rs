@@ -1,0 +1,165 @@
+//! The documentation keeps its word: every `sml` block of `docs/*.md` and `README.md` is what its info string says.
+//!
+//! | Info string | The block |
+//! |---|---|
+//! | `sml` | is realizable and compiles to verified tables |
+//! | `sml,unrealizable` | is not realizable |
+//! | `sml,error,SML0029` | is refused with exactly these codes, in this order |
+//! | `sml,fragment` | can be read as sections, scenarios or the body of one |
+//!
+//! `classic=realizable` or `classic=unrealizable` behind any of the first two adds the verdict of classic semantics.
+
+use sml_tests::{corpus, fast};
+use std::path::{Path, PathBuf};
+use synth_core::pipeline::{Failure, Options, Timings, compile};
+use synth_core::playout::Semantics;
+
+/// A fenced block: its text, where it begins, and what follows `sml` in the info string.
+struct Block {
+    place: String,
+    claims: Vec<String>,
+    text: String,
+}
+
+fn blocks(name: &str, page: &str) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    let mut lines = (1..).zip(page.lines());
+    while let Some((number, line)) = lines.next() {
+        let Some(info) = line.trim_start().strip_prefix("```") else { continue };
+        let body = lines.by_ref().map(|(_, line)| line).take_while(|line| line.trim_start() != "```");
+        let text: String = body.flat_map(|line| [line, "\n"]).collect();
+        let mut words = info.split(',').map(|word| word.trim().to_owned());
+        if words.next().as_deref() == Some("sml") {
+            blocks.push(Block { place: format!("{name}:{number}"), claims: words.collect(), text });
+        }
+    }
+    blocks
+}
+
+fn verdict(text: &str, classic: bool) -> Result<(), Failure> {
+    let options = Options { semantics: Semantics { classic }, ..Options::default() };
+    compile(&fast::loaded(text), &options, &mut Timings::default()).map(|_| ())
+}
+
+/// What became of the block, in the words of an info string.
+fn outcome(text: &str, classic: bool) -> String {
+    match verdict(text, classic) {
+        Ok(()) => "realizable".to_owned(),
+        Err(Failure::Unrealizable(_)) => "unrealizable".to_owned(),
+        Err(failure) => {
+            let codes: Vec<String> = failure.diagnostics().iter().map(|d| d.code.to_string()).collect();
+            codes.join(",")
+        }
+    }
+}
+
+fn can_be_read(text: &str) -> bool {
+    let wrapped = [
+        format!("specification X {{ {text} }}"),
+        format!("specification X {{ collaboration C {{ {text} }} }}"),
+        format!("specification X {{ collaboration C {{ guarantee scenario S {{ {text} }} }} }}"),
+    ];
+    wrapped.iter().any(|text| corpus::parse(text).is_ok())
+}
+
+/// Why the block breaks its word.
+fn broken(block: &Block) -> Option<String> {
+    let claims: Vec<&str> = block.claims.iter().map(String::as_str).collect();
+    let (expected, classic) = match claims.as_slice() {
+        ["fragment"] if can_be_read(&block.text) => return None,
+        ["fragment"] => return Some("no fragment of a specification".to_owned()),
+        ["error", codes @ ..] if !codes.is_empty() => (codes.join(","), None),
+        ["unrealizable"] => ("unrealizable".to_owned(), None),
+        ["unrealizable", classic] => ("unrealizable".to_owned(), classic.strip_prefix("classic=")),
+        [] => ("realizable".to_owned(), None),
+        [classic] if classic.starts_with("classic=") => {
+            ("realizable".to_owned(), classic.strip_prefix("classic="))
+        }
+        _ => return Some(format!("unknown claims {claims:?}")),
+    };
+    let found = outcome(&block.text, false);
+    if found != expected {
+        return Some(format!("{found} instead of {expected}"));
+    }
+    let classic = classic.map(|expected| (expected, outcome(&block.text, true)));
+    classic
+        .filter(|(expected, found)| expected != found)
+        .map(|(expected, found)| format!("classic: {found} instead of {expected}"))
+}
+
+/// The pages, those of `docs` by name.
+fn pages() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut pages: Vec<PathBuf> = std::fs::read_dir(root.join("docs"))
+        .expect("the documentation exists")
+        .map(|entry| entry.expect("the documentation is readable").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "md"))
+        .collect();
+    pages.sort();
+    pages.extend(Some(root.join("README.md")).filter(|path| path.exists()));
+    pages
+}
+
+#[test]
+fn specifications_are_what_they_are_said_to_be() {
+    let mut checked = 0;
+    let mut wrong = Vec::new();
+    for path in pages() {
+        let page = std::fs::read_to_string(&path).expect("the page is text");
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        for block in blocks(&name, &page) {
+            checked += 1;
+            wrong.extend(broken(&block).map(|why| format!("{}: {why}", block.place)));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(checked >= 5, "only {checked} blocks were found");
+}
+
+/// Examples that the pages name exist: a specification in a cell of its own after a construct.
+#[test]
+fn the_corpus_is_covered_by_the_language_reference() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/language.md");
+    let page = std::fs::read_to_string(page).expect("the language reference exists");
+    let known: Vec<String> = corpus::all().into_iter().map(|entry| entry.name).collect();
+    let examples = page.lines().filter(|line| line.starts_with('|')).filter_map(|line| {
+        let cell = line.trim_end_matches('|').rsplit('|').next()?.trim();
+        cell.strip_prefix('`')?.strip_suffix('`').filter(|name| !name.starts_with('-'))
+    });
+    let mut checked = 0;
+    for example in examples {
+        let is_path = example.contains('/');
+        assert!(is_path || known.iter().any(|name| name == example), "there is no example `{example}`");
+        if is_path {
+            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(example);
+            assert!(path.exists(), "there is no `{example}`");
+        }
+        checked += 1;
+    }
+    assert!(checked > 30, "only {checked} examples were found");
+}
+
+#[track_caller]
+fn check(info: &str, text: &str, expect: Option<&str>) {
+    let page = format!("text\n```{info}\n{text}\n```\ntext\n");
+    let blocks = blocks("page", &page);
+    let found = blocks.first().map(|block| broken(block).unwrap_or_default());
+    assert_eq!(found.as_deref(), expect);
+}
+
+const LAMP: &str = "specification L { domain d { class C { go() } class L { on() } } object c: C object l: L \
+                    controllable { C } collaboration S { guarantee scenario G { l -> c.go() urgent c -> l.on() } } }";
+
+#[test]
+fn false_claims_are_found() {
+    check("rust", LAMP, None);
+    check("sml", LAMP, Some(""));
+    check("sml,classic=realizable", LAMP, Some(""));
+    check("sml,classic=unrealizable", LAMP, Some("classic: realizable instead of unrealizable"));
+    check("sml,unrealizable", LAMP, Some("realizable instead of unrealizable"));
+    check("sml,error,SML0004", LAMP, Some("realizable instead of SML0004"));
+    check("sml,error", LAMP, Some("unknown claims [\"error\"]"));
+    check("sml", "specification L { }", Some("SML0026 instead of realizable"));
+    check("sml,fragment", "urgent c -> l.on()", Some(""));
+    check("sml,fragment", "urgent c l.on()", Some("no fragment of a specification"));
+}
