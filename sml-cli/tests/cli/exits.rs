@@ -238,3 +238,19 @@ fn explanations_of_codes() {
     let all = sml("explain").stdout;
     assert!(all.lines().all(|line| line.starts_with("SML")) && all.lines().count() > 20, "{all}");
 }
+
+#[test]
+fn mistakes_in_names_and_types_come_with_help() {
+    let text = include_str!("../../../tests/specs/memory/spec.sml");
+    for (from, to, code) in [
+        ("control -> lamp.red()", "control -> lamp.extinguish()", "SML0020"),
+        ("control -> lamp.red()", "control -> lamp.red(1)", "SML0023"),
+        ("while { eventually control", "while [1] { eventually control", "SML0022"),
+    ] {
+        assert!(text.contains(from));
+        let run = sml_reading("check - --format json", text.replacen(from, to, 1).as_bytes());
+        assert_eq!((run.code, run.diagnostic()), (2, code.to_owned()), "{to}");
+        let notes = run.json()["diagnostics"][0]["notes"].to_string();
+        assert!(notes.contains("help: "), "{to}: {notes}");
+    }
+}

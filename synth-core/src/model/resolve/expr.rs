@@ -85,7 +85,8 @@ impl Resolver {
 
     fn mismatch(&mut self, span: Span, wanted: &str, found: Ty) {
         let found = self.show_ty(found);
-        self.error(Code::TypeMismatch, span, format!("expected {wanted}, found {found}"));
+        self.error(Code::TypeMismatch, span, format!("expected {wanted}, found {found}")).help =
+            Some(format!("write a value of {wanted} here, or change the declaration"));
     }
 
     fn show_ty(&self, ty: Ty) -> String {

@@ -78,14 +78,17 @@ impl Resolver {
         self.diagnostics.push(diagnostic.also(first, "first declared here").help("rename one of the two"));
     }
 
-    /// Reports a name that means nothing, with the nearest of `candidates`, unless its declaration was reported.
+    /// Reports a name that means nothing, with the nearest of `candidates` if one is near, unless its declaration was
+    /// reported.
     fn unknown<'a>(&mut self, what: &str, name: &ast::Name, candidates: impl Iterator<Item = &'a str>) {
         if self.lost.contains(&name.text) {
             return;
         }
-        let help = did_you_mean(&name.text, candidates);
+        let near = did_you_mean(&name.text, candidates);
+        let help =
+            near.unwrap_or_else(|| format!("declare `{}`, or write a name that is declared", name.text));
         let diagnostic = self.error(Code::UnknownName, name.span, format!("unknown {what} `{}`", name.text));
-        diagnostic.help = help;
+        diagnostic.help = Some(help);
     }
 
     fn class(&mut self, name: &ast::Name) -> Option<ClassId> {

@@ -56,7 +56,8 @@ impl Resolver {
             if declared == 1 { "" } else { "s" },
             if given == 1 { "is" } else { "are" }
         );
-        self.error(Code::ArgumentCount, operation.span, message);
+        self.error(Code::ArgumentCount, operation.span, message).help =
+            Some("give one argument for each parameter of the declaration".to_owned());
     }
 
     fn endpoint(&mut self, name: &ast::Name) -> Option<(Endpoint, ClassId)> {
