@@ -22,6 +22,9 @@ use crate::syntax::Loaded;
 use crate::verify::verify;
 use std::time::{Duration, Instant};
 
+/// Nodes of a product have `u32` ids.
+const MOST_NODES: usize = u32::MAX as usize - 1;
+
 /// What to do, and how far.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Options {
@@ -136,12 +139,14 @@ pub fn synthesize(
     let raw =
         raw.map_err(|endless| Failure::Wrong(vec![endless::diagnostic(explored, &strategy, endless)]))?;
     let controller = timings.stage("minimise", || minimize(&raw, options.level));
+    // The limit on states was kept by exploration. The product has a node of its own for each way into a super step.
     let spec = explored.playout.spec();
+    let verify = |controller| verify(spec, options.semantics, controller, MOST_NODES);
     // Where nothing was merged, both are the same but for numbers.
     if controller.states < raw.states {
-        timings.stage("verify unminimised", || check(spec, &raw, options))?;
+        timings.stage("verify unminimised", || verify(&raw))?;
     }
-    let product_nodes = timings.stage("verify", || check(spec, &controller, options))?;
+    let product_nodes = timings.stage("verify", || verify(&controller))?;
     Ok(Verified { controller, unminimized_states: raw.states, product_nodes })
 }
 
@@ -173,7 +178,7 @@ fn merged(explored: &mut Explored<'_>, strategy: &Strategy) -> Result<Controller
     })
 }
 
-/// Verifies a controller, this project's own or another.
+/// Verifies any controller; its product with the specification may have as many nodes as `options` allow states.
 ///
 /// # Errors
 /// [`Failure::Unverified`], or a mistake of the specification that a play reaches.
