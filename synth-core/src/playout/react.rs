@@ -17,14 +17,30 @@ use std::cell::Cell;
 pub(super) struct Outcome {
     /// The copies afterwards: for a reaction one or none.
     pub(super) copies: Vec<CopyId>,
-    /// Scenarios that are violated: for a reaction one or none.
-    pub(super) violated: Vec<usize>,
+    /// What the event itself violates or gets wrong.
+    pub(super) at_once: Consequence,
+    /// What only shows while copies settle after the effects. It means nothing if an earlier stage of the step went
+    /// wrong.
+    pub(super) in_settling: Consequence,
     /// Keys that the copy had and met, ascending.
     pub(super) discharged: Vec<KeyId>,
     /// A copy of an existential scenario came to its end.
     pub(super) completed: bool,
-    /// A mistake met on the way.
+}
+
+/// Violations and mistakes of one stage.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Consequence {
+    /// Scenarios that are violated: for a reaction one or none.
+    pub(super) violated: Vec<usize>,
+    /// The first mistake met.
     pub(super) error: Option<PlayError>,
+}
+
+impl Consequence {
+    fn note(&mut self, mistake: Option<PlayError>) {
+        self.error = self.error.take().or(mistake);
+    }
 }
 
 /// What was found out so far.
@@ -189,6 +205,7 @@ const ROWS: [ConstraintKind; 4] =
     [ConstraintKind::Ignore, ConstraintKind::Forbidden, ConstraintKind::Interrupt, ConstraintKind::Consider];
 
 /// The first row of the reaction table that applies to the copy.
+#[derive(Clone, Copy)]
 enum Reaction {
     Moves(NodeId),
     Stays,
@@ -207,15 +224,15 @@ fn reaction(
     let scenario = &occasion.spec.scenarios[copy.scenario];
     let mut outcome = Outcome::default();
     let matcher = Matcher { occasion, scenario, roles: &copy.roles, variables: &copy.variables, reads_state };
-    let reaction = first_row(&matcher, &copy.cut, copy.strict, &mut outcome.error);
+    let reaction = first_row(&matcher, &copy.cut, copy.strict, &mut outcome.at_once.error);
     let mut walker = walker(occasion, scenario, reads_state, copy.roles.to_vec(), copy.variables.to_vec());
     walker.cut = copy.cut.to_vec();
     let rest = match reaction {
-        Reaction::Ends => Rest::Ended,
-        Reaction::Violates => Rest::Violated,
+        Reaction::Ends | Reaction::Violates => Rest::Ended,
         Reaction::Stays => walker.settle(),
         Reaction::Moves(node) => {
             bind(&mut walker, node, occasion.event);
+            outcome.at_once.note(walker.error.take());
             walker.passed.push(node);
             walker.move_past(node);
             walker.settle()
@@ -228,7 +245,15 @@ fn reaction(
     }
     outcome.discharged.sort_unstable();
     let scenario = copy.scenario;
-    conclude(copies, keys, scenario, walker, rest, &mut outcome);
+    match reaction {
+        Reaction::Violates if occasion.spec.scenarios[scenario].kind != Kind::Existential => {
+            outcome.at_once.violated.push(scenario);
+        }
+        Reaction::Violates | Reaction::Ends => {}
+        Reaction::Stays | Reaction::Moves(_) => {
+            conclude(copies, keys, scenario, walker, rest, &mut outcome);
+        }
+    }
     outcome
 }
 
@@ -307,14 +332,14 @@ fn conclude(
     let is_existential = walker.spec.scenarios[scenario].kind == Kind::Existential;
     outcome.completed |= is_existential && walker.is_completed(rest);
     let Walker { spec, roles, variables, cut, error, .. } = walker;
-    outcome.error = outcome.error.take().or(error);
+    outcome.in_settling.note(error);
     match rest {
         Rest::Waits => {
             let identity =
                 Identity { scenario, roles: roles.into(), variables: variables.into(), cut: cut.into() };
             outcome.copies.push(copies.intern(spec, keys, identity));
         }
-        Rest::Violated if !is_existential => outcome.violated.push(scenario),
+        Rest::Violated if !is_existential => outcome.in_settling.violated.push(scenario),
         Rest::Violated | Rest::Ended => {}
     }
 }
@@ -345,7 +370,7 @@ fn start(
         // Conditions, declarations and arguments in front of the message see the state before the effects.
         walker.attributes = occasion.before;
         if !declare_in_front(&mut walker, node) {
-            outcome.error = outcome.error.take().or(walker.error);
+            outcome.at_once.note(walker.error);
             continue;
         }
         let matcher =
@@ -354,19 +379,19 @@ fn start(
             Ok(true) => {}
             Ok(false) => continue,
             Err(mistake) => {
-                outcome.error = outcome.error.take().or(Some(mistake));
+                outcome.at_once.note(Some(mistake));
                 continue;
             }
         }
         bind(&mut walker, node, occasion.event);
         walker.attributes = occasion.after;
-        if bind_roles(&mut walker) {
+        let starts = bind_roles(&mut walker);
+        outcome.at_once.note(walker.error.take());
+        if starts {
             enter_siblings(&mut walker, node);
             walker.move_past(node);
             let rest = walker.settle();
             conclude(copies, keys, index, walker, rest, outcome);
-        } else {
-            outcome.error = outcome.error.take().or(walker.error);
         }
         return;
     }

@@ -3,7 +3,7 @@
 use super::cut::{Rest, Walker};
 use super::events::{Event, EventId};
 use super::keys::KeyId;
-use super::react::{Occasion, bind_roles, plays};
+use super::react::{Consequence, Occasion, Outcome, bind_roles, plays};
 use super::{Config, PlayError, Playout, ValuationId, play_error};
 use crate::diagnostic::Code;
 use crate::model::{Effect, Endpoint, Kind, Scope, Spec, UNSET, Value};
@@ -25,6 +25,19 @@ pub struct Step {
 }
 
 impl Step {
+    fn add(&mut self, outcome: &Outcome, settling: &mut Consequence) {
+        self.config.copies.extend_from_slice(&outcome.copies);
+        self.discharged.extend_from_slice(&outcome.discharged);
+        self.completed |= outcome.completed;
+        self.violated.extend_from_slice(&outcome.at_once.violated);
+        settling.violated.extend_from_slice(&outcome.in_settling.violated);
+        for (all, one) in [(&mut self.error, &outcome.at_once), (&mut settling.error, &outcome.in_settling)] {
+            if all.is_none() {
+                all.clone_from(&one.error);
+            }
+        }
+    }
+
     /// Whether a scenario of this kind is violated.
     #[must_use]
     pub fn violates(&self, spec: &Spec, kind: Kind) -> bool {
@@ -117,19 +130,18 @@ impl Playout<'_> {
             before: self.valuations.get(config.valuation),
             after: self.valuations.get(valuation),
         };
+        let mut settling = Consequence::default();
         for &copy in &config.copies {
             let outcome = self.reactions.react(&mut self.copies, &mut self.keys, copy, &occasion);
-            step.config.copies.extend_from_slice(&outcome.copies);
-            step.violated.extend_from_slice(&outcome.violated);
-            step.discharged.extend_from_slice(&outcome.discharged);
-            step.completed |= outcome.completed;
-            step.error = step.error.take().or_else(|| outcome.error.clone());
+            step.add(outcome, &mut settling);
         }
         let started = self.reactions.start(&mut self.copies, &mut self.keys, &occasion);
-        step.config.copies.extend_from_slice(&started.copies);
-        step.violated.extend_from_slice(&started.violated);
-        step.completed |= started.completed;
-        step.error = step.error.take().or_else(|| started.error.clone());
+        step.add(started, &mut settling);
+        // Behind a mistake, settling would look at values that are none.
+        if step.error.is_none() {
+            step.violated.append(&mut settling.violated);
+            step.error = settling.error;
+        }
         for list in [&mut step.config.copies, &mut step.discharged] {
             list.sort_unstable();
             list.dedup();
