@@ -6,7 +6,7 @@
 
 use super::{PlayError, play_error};
 use crate::diagnostic::Code;
-use crate::model::{Case, Expr, Node, NodeId, NodeKind, Scenario, Scope, Spec, Type, UNSET, Value};
+use crate::model::{Case, Expr, Node, NodeId, NodeKind, Scenario, Scope, Spec, UNSET, Value};
 use crate::syntax::Span;
 use std::cell::Cell;
 
@@ -298,10 +298,4 @@ impl Walker<'_> {
         }
         None
     }
-}
-
-/// Whether a message with this value can be bound to a variable of type `ty`: one of a subclass only takes what fits;
-/// integers are checked when they are stored.
-pub(super) fn can_hold(spec: &Spec, ty: Type, value: Value) -> bool {
-    !matches!(ty, Type::Class(_)) || spec.domain.fits(value, ty)
 }

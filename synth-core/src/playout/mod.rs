@@ -16,6 +16,7 @@ mod events;
 mod keys;
 mod memo;
 mod offers;
+mod pattern;
 mod react;
 mod step;
 mod turn;

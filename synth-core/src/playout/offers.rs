@@ -1,11 +1,11 @@
 //! What a copy wants: the events that messages with a modality at its cut ask for.
 
 use super::copies::{Copies, CopyId};
-use super::cut::can_hold;
 use super::events::{
     EventId, Events, Signature, check_count, for_each_combination, links, parameter_values, players,
 };
 use super::memo::Memo;
+use super::pattern::{Matcher, can_hold};
 use super::{PlayError, ValuationId, play_error};
 use crate::diagnostic::Code;
 use crate::model::{
@@ -101,29 +101,20 @@ fn matching(
     message: &Message,
     scope: &Scope<'_>,
 ) -> Vec<EventId> {
-    let role = |role: RoleRef, object: usize| match role {
-        RoleRef::Object(o) => o == object,
-        RoleRef::Dynamic(r) if scope.roles[r] == UNSET => {
-            spec.domain.is_instance(object as Value, scenario.roles[r].class)
-        }
-        RoleRef::Dynamic(r) => scope.roles[r] == object as Value,
+    let matches = |&id: &EventId| {
+        let matcher = Matcher {
+            spec,
+            event: events.get(id),
+            attributes: scope.attributes,
+            scenario,
+            roles: scope.roles,
+            variables: scope.variables,
+            reads_state: scope.reads_state,
+        };
+        // An argument without a value is reported when its event happens; until then it asks for none.
+        matcher.is_message(message).unwrap_or(false)
     };
-    let argument = |argument: &Argument, given: Value| match argument {
-        Argument::Any => true,
-        Argument::Bind(variable) => can_hold(spec, scenario.variables[*variable].ty, given),
-        Argument::Value(value) => scope.eval(value) == Ok(given),
-    };
-    events
-        .universe()
-        .filter(|&id| {
-            let event = events.get(id);
-            event.operation == message.operation
-                && role(message.sender, event.sender)
-                && role(message.receiver, event.receiver)
-                && (message.sender != message.receiver || event.sender == event.receiver)
-                && message.arguments.iter().zip(&event.arguments).all(|(a, &given)| argument(a, given))
-        })
-        .collect()
+    events.universe().filter(matches).collect()
 }
 
 /// The events that the system is asked to send by this message; unbound arguments are expanded.

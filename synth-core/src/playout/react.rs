@@ -1,15 +1,13 @@
 //! What one event does to one copy, and which copies it starts.
 
 use super::copies::{Copies, CopyId, Identity};
-use super::cut::{Rest, Walker, can_hold};
+use super::cut::{Rest, Walker};
 use super::events::{Event, EventId};
 use super::keys::{KeyId, Keys};
 use super::memo::Memo;
-use super::{PlayError, ValuationId, play_error};
-use crate::model::{
-    Argument, ConstraintKind, Failure, Kind, Message, NodeId, NodeKind, RoleRef, Scenario, Scope, Spec,
-    UNSET, Value,
-};
+use super::pattern::Matcher;
+use super::{PlayError, ValuationId};
+use crate::model::{Argument, ConstraintKind, Kind, NodeId, NodeKind, RoleRef, Scenario, Spec, UNSET, Value};
 use std::cell::Cell;
 
 /// What becomes of a copy, or what an event starts.
@@ -64,6 +62,20 @@ pub(super) struct Occasion<'a> {
     pub(super) after: &'a [Value],
 }
 
+impl<'a> Occasion<'a> {
+    /// Patterns see the state before the effects.
+    fn matcher(
+        &'a self,
+        scenario: &'a Scenario,
+        roles: &'a [Value],
+        variables: &'a [Value],
+        reads_state: &'a Cell<bool>,
+    ) -> Matcher<'a> {
+        let Occasion { spec, event, before, .. } = *self;
+        Matcher { spec, event, attributes: before, scenario, roles, variables, reads_state }
+    }
+}
+
 impl Reactions {
     /// What becomes of `copy`.
     pub(super) fn react(
@@ -101,105 +113,6 @@ impl Reactions {
     }
 }
 
-/// Matches patterns against the event for one copy.
-struct Matcher<'a> {
-    occasion: &'a Occasion<'a>,
-    scenario: &'a Scenario,
-    roles: &'a [Value],
-    variables: &'a [Value],
-    reads_state: &'a Cell<bool>,
-}
-
-impl Matcher<'_> {
-    fn scope(&self) -> Scope<'_> {
-        Scope {
-            domain: &self.occasion.spec.domain,
-            attributes: self.occasion.before,
-            roles: self.roles,
-            variables: self.variables,
-            event: (UNSET, UNSET, &[]),
-            reads_state: self.reads_state,
-        }
-    }
-
-    fn role(&self, role: RoleRef, object: usize) -> bool {
-        match role {
-            RoleRef::Object(o) => o == object,
-            RoleRef::Dynamic(r) if self.roles[r] == UNSET => {
-                let class = self.scenario.roles[r].class;
-                self.occasion.spec.domain.is_instance(object as Value, class)
-            }
-            RoleRef::Dynamic(r) => self.roles[r] == object as Value,
-        }
-    }
-
-    fn ends(&self, message: &Message) -> bool {
-        let event = self.occasion.event;
-        message.operation == event.operation
-            && self.role(message.sender, event.sender)
-            && self.role(message.receiver, event.receiver)
-            && (message.sender != message.receiver || event.sender == event.receiver)
-    }
-
-    /// Whether the event is the message, which is enabled at the cut.
-    fn is_message(&self, message: &Message) -> Result<bool, PlayError> {
-        if !self.ends(message) {
-            return Ok(false);
-        }
-        for (argument, &given) in message.arguments.iter().zip(&self.occasion.event.arguments) {
-            let matches = match argument {
-                Argument::Any => true,
-                Argument::Bind(variable) => {
-                    can_hold(self.occasion.spec, self.scenario.variables[*variable].ty, given)
-                }
-                Argument::Value(value) => {
-                    self.scope().eval(value).map_err(|failure| play_error(failure, message.span))? == given
-                }
-            };
-            if !matches {
-                return Ok(false);
-            }
-        }
-        Ok(true)
-    }
-
-    /// Whether the event matches a pattern that is not enabled: what is not set yet matches anything, a path through
-    /// `null` nothing.
-    fn is_like(&self, message: &Message) -> bool {
-        self.ends(message)
-            && message.arguments.iter().zip(&self.occasion.event.arguments).all(|(argument, &given)| {
-                match argument {
-                    Argument::Any | Argument::Bind(_) => true,
-                    Argument::Value(value) => match self.scope().eval(value) {
-                        Ok(value) => value == given,
-                        Err(Failure::Unset) => true,
-                        Err(Failure::Null(_) | Failure::Overflow(_)) => false,
-                    },
-                }
-            })
-    }
-
-    /// Whether a constraint of this kind that is in force at the cut matches.
-    fn constrained(&self, cut: &[NodeId], kind: ConstraintKind) -> bool {
-        let mut bodies: Vec<NodeId> = Vec::new();
-        for &leaf in cut {
-            let mut node = leaf;
-            while node != 0 {
-                node = self.scenario.nodes[usize::from(node)].parent;
-                bodies.push(node);
-            }
-        }
-        bodies.sort_unstable();
-        bodies.dedup();
-        bodies.iter().any(|&body| match &self.scenario.nodes[usize::from(body)].kind {
-            NodeKind::Body { constraints, .. } => {
-                constraints.iter().any(|c| c.kind == kind && self.is_like(&c.message))
-            }
-            _ => false,
-        })
-    }
-}
-
 /// The rows of the reaction table between that of an enabled message and that of any other message, in their order.
 const ROWS: [ConstraintKind; 4] =
     [ConstraintKind::Ignore, ConstraintKind::Forbidden, ConstraintKind::Interrupt, ConstraintKind::Consider];
@@ -223,7 +136,7 @@ fn reaction(
     let copy = copies.get(id);
     let scenario = &occasion.spec.scenarios[copy.scenario];
     let mut outcome = Outcome::default();
-    let matcher = Matcher { occasion, scenario, roles: &copy.roles, variables: &copy.variables, reads_state };
+    let matcher = occasion.matcher(scenario, &copy.roles, &copy.variables, reads_state);
     let reaction = first_row(&matcher, &copy.cut, copy.strict, &mut outcome.at_once.error);
     let mut walker = walker(occasion, scenario, reads_state, copy.roles.to_vec(), copy.variables.to_vec());
     walker.cut = copy.cut.to_vec();
@@ -362,7 +275,7 @@ fn start(
         // The cheap test first: most scenarios have nothing to do with most events.
         let Some(message) = scenario.message(node).filter(|m| m.operation == operation) else { continue };
         let roles = vec![UNSET; scenario.roles.len()];
-        if !(Matcher { occasion, scenario, roles: &roles, variables: &[], reads_state }).ends(message) {
+        if !occasion.matcher(scenario, &roles, &[], reads_state).ends(message) {
             continue;
         }
         let mut walker =
@@ -373,8 +286,7 @@ fn start(
             outcome.at_once.note(walker.error);
             continue;
         }
-        let matcher =
-            Matcher { occasion, scenario, roles: &walker.roles, variables: &walker.variables, reads_state };
+        let matcher = occasion.matcher(scenario, &walker.roles, &walker.variables, reads_state);
         match matcher.is_message(message) {
             Ok(true) => {}
             Ok(false) => continue,
