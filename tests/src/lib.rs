@@ -6,5 +6,6 @@ pub mod fast;
 pub mod naive;
 pub mod random;
 pub mod reference;
+pub mod same;
 pub mod scratch;
 pub mod tables;

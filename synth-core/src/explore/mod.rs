@@ -92,16 +92,25 @@ pub fn explore<'s>(
     semantics: Semantics,
     limits: &Limits,
 ) -> Result<Explored<'s>, ExploreError> {
-    let unplayed = |error| ExploreError::Play(error, Vec::new());
-    let mut playout = Playout::new(spec, semantics).map_err(unplayed)?;
-    let initial = playout.initial().map_err(unplayed)?;
+    let mut playout = Playout::new(spec, semantics).map_err(|error| ExploreError::Play(error, Vec::new()))?;
+    let (store, game) = explore_with(&mut playout, limits)?;
+    Ok(Explored { playout, store, game })
+}
+
+/// Explores what a play-out plays: its specification, where some scenarios may be relaxed. What it remembers serves the
+/// next exploration, too.
+///
+/// # Errors
+/// A mistake that only a play shows, or a limit.
+pub fn explore_with(playout: &mut Playout<'_>, limits: &Limits) -> Result<(StateStore, Game), ExploreError> {
+    let initial = playout.initial().map_err(|error| ExploreError::Play(error, Vec::new()))?;
     let mut explorer = Explorer {
         playout,
         store: StateStore::default(),
         graph: Graph { first: vec![0], ..Graph::default() },
         sets: KeySetsBuilder::default(),
     };
-    explorer.store.intern(&explorer.playout, &initial);
+    explorer.store.intern(explorer.playout, &initial);
     explorer.run(limits)?;
     Ok(explorer.finish())
 }
@@ -128,14 +137,14 @@ struct Graph {
     discharged: Vec<u32>,
 }
 
-struct Explorer<'s> {
-    playout: Playout<'s>,
+struct Explorer<'p, 's> {
+    playout: &'p mut Playout<'s>,
     store: StateStore,
     graph: Graph,
     sets: KeySetsBuilder,
 }
 
-impl<'s> Explorer<'s> {
+impl Explorer<'_, '_> {
     fn run(&mut self, limits: &Limits) -> Result<(), ExploreError> {
         let mut config = Config::default();
         let mut moves = Moves::default();
@@ -166,7 +175,7 @@ impl<'s> Explorer<'s> {
 
     fn edge(&mut self, one: &Move) {
         let target = match one.end {
-            None => self.store.intern(&self.playout, &one.config),
+            None => self.store.intern(self.playout, &one.config),
             Some(Turn::Won) => WON,
             Some(_) => LOST,
         };
@@ -238,7 +247,7 @@ impl<'s> Explorer<'s> {
         if label == YIELD { "yield".to_owned() } else { self.playout.event(label).text.clone() }
     }
 
-    fn finish(self) -> Explored<'s> {
+    fn finish(self) -> (StateStore, Game) {
         let Explorer { playout, store, graph, sets } = self;
         let Graph { mut turn, mut silent, mut open, mut first, label, mut target, discharged } = graph;
         for (placeholder, end) in [(LOST, Turn::Lost), (WON, Turn::Won)] {
@@ -272,7 +281,7 @@ impl<'s> Explorer<'s> {
             assumptions,
             guarantees,
         };
-        Explored { playout, store, game }
+        (store, game)
     }
 }
 

@@ -18,6 +18,7 @@ mod memo;
 mod offers;
 mod pattern;
 mod react;
+mod relax;
 mod step;
 mod turn;
 
@@ -37,6 +38,7 @@ use crate::syntax::Span;
 use attributes::{Valuations, valuations};
 use copies::Copies;
 use events::Events;
+use fixedbitset::FixedBitSet;
 use keys::Keys;
 use offers::OfferTable;
 use react::Reactions;
@@ -93,6 +95,8 @@ pub struct Playout<'s> {
     semantics: Semantics,
     /// The existential scenario whose copies are part of the states.
     followed: Option<usize>,
+    /// Scenarios whose demands do not count.
+    relaxed: FixedBitSet,
     events: Events,
     valuations: Valuations,
     copies: Copies,
@@ -111,6 +115,7 @@ impl<'s> Playout<'s> {
             spec,
             semantics,
             followed: None,
+            relaxed: FixedBitSet::new(),
             events: Events::new(spec)?,
             valuations: valuations(&spec.domain),
             copies: Copies::new(),
@@ -184,13 +189,15 @@ impl<'s> Playout<'s> {
         self.valuations.get(valuation)
     }
 
-    /// Appends the keys that are open in `config` to `open`, ascending, without duplicates.
+    /// Appends the keys that are open in `config` to `open`, ascending, without duplicates and those of relaxed
+    /// scenarios.
     pub fn open_keys(&self, config: &Config, open: &mut Vec<KeyId>) {
         for &copy in &config.copies {
             open.extend(self.copies.get(copy).obligations.iter().map(|&(_, key)| key));
         }
         open.sort_unstable();
         open.dedup();
+        self.retain_counted(open);
     }
 
     /// Bytes held by the interned parts.

@@ -14,8 +14,10 @@ use std::cell::Cell;
 pub struct Step {
     /// The state after it.
     pub config: Config,
-    /// Scenarios that it violates, as indices, ascending.
+    /// Scenarios that it violates, as indices, ascending, without relaxed ones.
     pub violated: Vec<usize>,
+    /// Relaxed scenarios that it violates, which does not count; ascending.
+    pub excused: Vec<usize>,
     /// Keys that it discharges, ascending, without duplicates.
     pub discharged: Vec<KeyId>,
     /// A copy of the existential scenario that is followed comes to its end.
@@ -97,14 +99,14 @@ impl Playout<'_> {
                 Rest::Violated | Rest::Ended if self.followed == Some(index) => {
                     begin.completed = is_bound && walker.is_completed(rest);
                 }
-                Rest::Violated => {
+                Rest::Violated if !self.is_relaxed(index) => {
                     return Err(PlayError {
                         code: Code::ViolatedInitially,
                         span: scenario.span,
                         message: format!("scenario `{}` is violated in the initial state", scenario.name),
                     });
                 }
-                Rest::Ended => {}
+                Rest::Violated | Rest::Ended => {}
             }
         }
         config.copies.sort_unstable();
@@ -148,6 +150,7 @@ impl Playout<'_> {
         }
         step.violated.sort_unstable();
         step.violated.dedup();
+        self.excuse(step);
     }
 
     /// The valuation after the event's effects: those that match in textual order, then the implicit `setX`.

@@ -71,6 +71,8 @@ impl From<Modality> for Urgency {
 #[derive(Default)]
 struct Wishes {
     system: Vec<(Urgency, EventId)>,
+    /// What relaxed guarantees ask of the system.
+    relaxed: Vec<(Urgency, EventId)>,
     /// Messages of the system that cannot be formed.
     broken: Vec<(Urgency, PlayError)>,
     /// What assumptions say the environment sends; no urgency for monitored messages.
@@ -95,24 +97,30 @@ impl Playout<'_> {
                 moves.turn = by_system;
                 return Ok(());
             }
+            // Moves that do not decide the turn, because of what is relaxed: the system may make one of them.
+            let offered = moves.moves.len();
             let wanted: Vec<EventId> =
                 wishes.environment.iter().filter(|wish| wish.0 == Some(urgency)).map(|wish| wish.1).collect();
             if self.environment_moves(config, wanted, moves)? {
-                moves.turn = by_environment;
+                if offered > 0 && !config.yielded {
+                    moves.moves.truncate(offered);
+                    offer_yield(config, moves);
+                } else {
+                    moves.moves.drain(..offered);
+                    moves.turn = by_environment;
+                }
                 return Ok(());
             }
+            moves.moves.truncate(offered);
         }
-        if !config.yielded && self.system_moves(config, &mut wishes, Urgency::Eventually, moves)? {
-            moves.turn = Turn::SystemEventually;
-            let config = Config { yielded: true, ..config.clone() };
-            moves.moves.push(Move {
-                event: None,
-                config,
-                end: None,
-                discharged: Vec::new(),
-                completed: false,
-            });
-            return Ok(());
+        if config.yielded {
+            moves.moves.clear();
+        } else {
+            self.system_moves(config, &mut wishes, Urgency::Eventually, moves)?;
+            if !moves.moves.is_empty() {
+                offer_yield(config, moves);
+                return Ok(());
+            }
         }
         let caused = wishes.environment.iter().map(|wish| wish.1);
         let spontaneous = self.events.universe().filter(|&event| self.events.get(event).spontaneous);
@@ -133,12 +141,15 @@ impl Playout<'_> {
 
     fn wishes(&mut self, config: &Config) -> Wishes {
         let mut wishes = Wishes::default();
+        let relaxes = !self.relaxed.is_clear();
         let valuation = (config.valuation, self.valuations.get(config.valuation));
         for &copy in &config.copies {
             let offers = self.offers.of(self.spec, &mut self.events, &self.copies, copy, valuation);
+            let is_relaxed = relaxes && self.relaxed.contains(self.copies.get(copy).scenario);
+            let system = if is_relaxed { &mut wishes.relaxed } else { &mut wishes.system };
             for (modality, wanted) in &offers.system {
                 match wanted {
-                    Ok(event) => wishes.system.push(((*modality).into(), *event)),
+                    Ok(event) => system.push(((*modality).into(), *event)),
                     Err(mistake) => wishes.broken.push(((*modality).into(), mistake.clone())),
                 }
             }
@@ -148,7 +159,8 @@ impl Playout<'_> {
         wishes
     }
 
-    /// Adds the system's executable events of one urgency; whether there are any.
+    /// Adds the system's executable events of one urgency; whether they decide the turn. They do if one is among them
+    /// that a guarantee in force asks for and that needs nothing relaxed to be executable.
     fn system_moves(
         &mut self,
         config: &Config,
@@ -159,9 +171,12 @@ impl Playout<'_> {
         if let Some(broken) = wishes.broken.iter().position(|(u, _)| *u == urgency) {
             return Err((None, wishes.broken.swap_remove(broken).1));
         }
+        let wishes_of_all = wishes.system.iter().chain(&wishes.relaxed);
         let mut wanted: Vec<EventId> =
-            wishes.system.iter().filter(|(u, _)| *u == urgency).map(|&(_, event)| event).collect();
+            wishes_of_all.filter(|(u, _)| *u == urgency).map(|&(_, event)| event).collect();
         self.sort_by_text(&mut wanted);
+        let carried = moves.moves.len();
+        let mut decides = false;
         for event in wanted {
             if !self.is_linked(config, event) {
                 continue;
@@ -175,18 +190,26 @@ impl Playout<'_> {
             if breaks_assumption && !self.semantics.classic {
                 continue;
             }
+            decides = decides || wishes.system.contains(&(urgency, event)) && !self.is_freed(&step, true);
             push(moves, event, step, breaks_assumption.then_some(Turn::Won))?;
         }
-        Ok(!moves.moves.is_empty())
+        if carried > 0 {
+            let text = |one: &Move| one.event.map(|event| &self.events.get(event).text);
+            moves.moves.sort_by(|a, b| text(a).cmp(&text(b)));
+            moves.moves.dedup_by_key(|one| one.event);
+        }
+        Ok(decides)
     }
 
-    /// Adds the environment's executable events among `candidates`; whether there are any.
+    /// Adds the environment's executable events among `candidates`; whether one of them needs nothing relaxed to be
+    /// executable.
     fn environment_moves(
         &mut self,
         config: &Config,
         mut candidates: Vec<EventId>,
         moves: &mut Moves,
     ) -> Result<bool, (Option<EventId>, PlayError)> {
+        let mut decides = false;
         // Ids of the environment's events are in the order of their texts.
         candidates.sort_unstable();
         candidates.dedup();
@@ -199,10 +222,11 @@ impl Playout<'_> {
             if step.violates(self.spec, Kind::Assumption) {
                 continue;
             }
+            decides = decides || !self.is_freed(&step, false);
             let lost = step.violates(self.spec, Kind::Guarantee).then_some(Turn::Lost);
             push(moves, event, step, lost)?;
         }
-        Ok(!moves.moves.is_empty())
+        Ok(decides)
     }
 
     fn sort_by_text(&self, events: &mut Vec<EventId>) {
@@ -235,6 +259,13 @@ fn push(
             Ok(())
         }
     }
+}
+
+/// Turn 5: the system makes one of the moves that are there, or yields.
+fn offer_yield(config: &Config, moves: &mut Moves) {
+    let config = Config { yielded: true, ..config.clone() };
+    moves.moves.push(Move { event: None, config, end: None, discharged: Vec::new(), completed: false });
+    moves.turn = Turn::SystemEventually;
 }
 
 impl Move {

@@ -119,10 +119,11 @@ impl Spec {
         obligations.map(|(path, fragment)| (path.clone(), self.key(copy, &path, fragment))).collect()
     }
 
-    /// The keys that are open in a state, all kinds of scenarios together.
+    /// The keys that are open in a state, all kinds of scenarios together, without relaxed ones.
     #[must_use]
     pub fn open(&self, state: &State) -> BTreeSet<Key> {
-        state.copies.iter().flat_map(|copy| self.obligations(copy).into_values()).collect()
+        let counted = state.copies.iter().filter(|copy| !self.relaxed.contains(&copy.scenario));
+        counted.flat_map(|copy| self.obligations(copy).into_values()).collect()
     }
 
     /// The copies that an event starts, not settled: `before` are the attributes before its effects, `after` those after.

@@ -57,6 +57,8 @@ pub struct Spec {
     pub channels: Vec<ast::Channel>,
     /// In textual order.
     pub scenarios: Vec<Scenario>,
+    /// Indices of those whose demands do not count.
+    pub relaxed: BTreeSet<usize>,
 }
 
 impl Spec {

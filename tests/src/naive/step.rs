@@ -16,6 +16,8 @@ pub struct Step {
     pub state: State,
     /// Kinds of the scenarios that were violated.
     pub violated: BTreeSet<ScenarioKind>,
+    /// Kinds of the scenarios that were violated, had they not been relaxed.
+    pub excused: BTreeSet<ScenarioKind>,
     /// Keys of the obligations that were met.
     pub discharged: BTreeSet<Key>,
 }
@@ -54,6 +56,7 @@ impl Spec {
                     copies.insert(copy);
                 }
                 Settled::Ended => {}
+                Settled::Violated if self.relaxed.contains(&index) => {}
                 Settled::Violated => return Err(format!("{} is violated at the start", scenario.name)),
             }
         }
@@ -66,7 +69,7 @@ impl Spec {
     /// An attribute or variable out of its range, a path through `null`, a loop that does not settle.
     pub fn step(&self, state: &State, event: &Event) -> Result<Step, PlayError> {
         let before = &state.attributes;
-        let mut violated = BTreeSet::new();
+        let mut broken = BTreeSet::new();
         let mut discharged = BTreeSet::new();
         let mut errors: Vec<SettleError> = Vec::new();
 
@@ -90,7 +93,7 @@ impl Spec {
                 }
                 Ok(Reaction::Ends) => {}
                 Ok(Reaction::Violates) => {
-                    violated.insert(self.scenarios[copy.scenario].kind);
+                    broken.insert(copy.scenario);
                 }
                 Err(error) => errors.push(error.into()),
             }
@@ -120,18 +123,25 @@ impl Spec {
                     }
                     Ok(Settled::Ended) => {}
                     Ok(Settled::Violated) => {
-                        violated.insert(self.scenarios[scenario].kind);
+                        broken.insert(scenario);
                     }
                     Err(error) => errors.push(error),
                 }
             }
         }
 
+        // What is relaxed does not count.
+        let kind = |scenario: &usize| self.scenarios[*scenario].kind;
+        let violated = broken.difference(&self.relaxed).map(kind).collect();
+        let excused = broken.intersection(&self.relaxed).map(kind).collect();
+        discharged.retain(|key: &Key| !self.relaxed.contains(&key.scenario));
+
         // 5. The yield is over.
         match errors.into_iter().next() {
             Some(cause) => Err(PlayError { cause, violated }),
             None => {
-                Ok(Step { state: State { attributes: after, copies, yielded: false }, violated, discharged })
+                let state = State { attributes: after, copies, yielded: false };
+                Ok(Step { state, violated, excused, discharged })
             }
         }
     }

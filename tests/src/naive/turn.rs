@@ -204,13 +204,14 @@ impl Spec {
         })
     }
 
-    /// The system's candidates, and the messages at cuts whose arguments have no value.
+    /// The system's candidates, each with whether a guarantee that is not relaxed asks for it, and the messages at cuts
+    /// whose arguments have no value.
     #[expect(clippy::type_complexity, reason = "read once, right below")]
     fn system_candidates(
         &self,
         state: &State,
-    ) -> (BTreeSet<(Urgency, Event)>, Vec<(Urgency, String, EvalError)>) {
-        let (mut candidates, mut errors) = (BTreeSet::new(), Vec::new());
+    ) -> (BTreeMap<(Urgency, Event), bool>, Vec<(Urgency, String, EvalError)>) {
+        let (mut candidates, mut errors) = (BTreeMap::new(), Vec::new());
         for (copy, path, fragment) in self.at_cuts(state, ScenarioKind::Guarantee) {
             let FragmentKind::Message(_, message) = &fragment.kind else { continue };
             let Some(modality) = causing_modality(fragment) else { continue };
@@ -221,7 +222,12 @@ impl Spec {
                     continue;
                 }
                 match self.system_events(&context, &path[..path.len() - 1], message, &event) {
-                    Ok(events) => candidates.extend(events.into_iter().map(|event| (urgency, event))),
+                    Ok(events) => {
+                        for event in events {
+                            *candidates.entry((urgency, event)).or_default() |=
+                                !self.relaxed.contains(&copy.scenario);
+                        }
+                    }
                     Err(error) => errors.push((urgency, event.to_string(), error)),
                 }
             }
@@ -278,12 +284,17 @@ impl Spec {
             Ok(step) => &step.violated,
             Err(error) => &error.violated,
         };
-        let forbidden: &[ScenarioKind] = match (self.is_controllable(&event.sender), semantics) {
+        let forbidden = self.not_to_violate(event, semantics);
+        (!forbidden.iter().any(|kind| violated.contains(kind))).then_some(outcome)
+    }
+
+    /// The kinds of scenarios that an event must not violate to be executable.
+    fn not_to_violate(&self, event: &Event, semantics: Semantics) -> &'static [ScenarioKind] {
+        match (self.is_controllable(&event.sender), semantics) {
             (true, Semantics::Default) => &[ScenarioKind::Guarantee, ScenarioKind::Assumption],
             (true, Semantics::Classic) => &[ScenarioKind::Guarantee],
             (false, _) => &[ScenarioKind::Assumption],
-        };
-        (!forbidden.iter().any(|kind| violated.contains(kind))).then_some(outcome)
+        }
     }
 
     /// Whose turn it is, and what can be chosen.
@@ -306,38 +317,55 @@ impl Spec {
             })
             .collect();
 
-        let of_system = |urgency| -> Result<Vec<(Event, Step)>, TurnError> {
+        let would_be_executable = |(event, step): &(Event, Step)| {
+            !self.not_to_violate(event, semantics).iter().any(|kind| step.excused.contains(kind))
+        };
+        // The executable events of the system in two parts: those that force the turn, and those that it may choose
+        // because something is relaxed: what asks for them, or what forbids them.
+        let of_system = |urgency| -> Result<[Vec<(Event, Step)>; 2], TurnError> {
             if let Some((_, event, error)) = errors.iter().find(|(each, ..)| *each == urgency) {
                 return Err(TurnError { event: event.clone(), cause: SettleError::Eval(error.clone()) });
             }
-            let events = system.iter().filter(|(each, _)| *each == urgency).map(|(_, event)| event);
-            self.executable_events(state, semantics, events)
+            let of_urgency = system.keys().filter(|(each, _)| *each == urgency);
+            let events = self.executable_events(state, semantics, of_urgency.map(|(_, event)| event))?;
+            let (must, may) = events
+                .into_iter()
+                .partition(|choice| system[&(urgency, choice.0.clone())] && would_be_executable(choice));
+            Ok([must, may])
         };
-        let of_environment = |urgency| {
+        // Those of the environment, if one of them forces the turn.
+        let of_environment = |urgency| -> Result<Vec<(Event, Step)>, TurnError> {
             let events = environment.iter().filter(|(_, urgencies)| urgencies.contains(&urgency));
-            self.executable_events(state, semantics, events.map(|(event, _)| event))
+            let events = self.executable_events(state, semantics, events.map(|(event, _)| event))?;
+            Ok(if events.iter().any(would_be_executable) { events } else { Vec::new() })
         };
 
-        let events = of_system(Urgency::Committed)?;
-        if !events.is_empty() {
-            return Ok(Turn { case: Case::SystemCommitted, events });
-        }
-        let events = of_environment(Urgency::Committed)?;
-        if !events.is_empty() {
-            return Ok(Turn { case: Case::EnvironmentCommitted, events });
-        }
-        let events = of_system(Urgency::Urgent)?;
-        if !events.is_empty() {
-            return Ok(Turn { case: Case::SystemUrgent, events });
-        }
-        let events = of_environment(Urgency::Urgent)?;
-        if !events.is_empty() {
-            return Ok(Turn { case: Case::EnvironmentUrgent, events });
+        // What the system may do here, though nothing in force makes it.
+        let mut choices = Vec::new();
+        for (urgency, of_the_system, of_the_environment) in [
+            (Urgency::Committed, Case::SystemCommitted, Case::EnvironmentCommitted),
+            (Urgency::Urgent, Case::SystemUrgent, Case::EnvironmentUrgent),
+        ] {
+            let [must, may] = of_system(urgency)?;
+            let forced = !must.is_empty();
+            choices.extend([must, may].concat());
+            if forced {
+                return Ok(Turn { case: of_the_system, events: by_text(choices) });
+            }
+            let events = of_environment(urgency)?;
+            if !events.is_empty() {
+                let passes = state.yielded || choices.is_empty();
+                return Ok(if passes {
+                    Turn { case: of_the_environment, events }
+                } else {
+                    Turn { case: Case::SystemEventually, events: by_text(choices) }
+                });
+            }
         }
         if !state.yielded {
-            let events = of_system(Urgency::Eventually)?;
-            if !events.is_empty() {
-                return Ok(Turn { case: Case::SystemEventually, events });
+            choices.extend(of_system(Urgency::Eventually)?.concat());
+            if !choices.is_empty() {
+                return Ok(Turn { case: Case::SystemEventually, events: by_text(choices) });
             }
         }
         let events = self.executable_events(state, semantics, environment.iter().map(|(event, _)| event))?;
@@ -350,19 +378,17 @@ impl Spec {
         semantics: Semantics,
         events: impl Iterator<Item = &'a Event>,
     ) -> Result<Vec<(Event, Step)>, TurnError> {
-        let mut by_text = BTreeMap::new();
+        let mut executable = Vec::new();
         for event in events {
             match self.executable(state, event, semantics) {
-                Some(Ok(step)) => {
-                    by_text.insert(event.to_string(), (event.clone(), step));
-                }
+                Some(Ok(step)) => executable.push((event.clone(), step)),
                 Some(Err(error)) => {
                     return Err(TurnError { event: event.to_string(), cause: error.cause });
                 }
                 None => {}
             }
         }
-        Ok(by_text.into_values().collect())
+        Ok(by_text(executable))
     }
 
     /// Whether the environment may be silent.
@@ -370,6 +396,13 @@ impl Spec {
     pub fn is_silent(turn: &Turn, semantics: Semantics) -> bool {
         turn.case == Case::EnvironmentAny && (semantics == Semantics::Default || turn.events.is_empty())
     }
+}
+
+/// Ordered by the events' texts, each once.
+fn by_text(events: Vec<(Event, Step)>) -> Vec<(Event, Step)> {
+    let by_text: BTreeMap<String, (Event, Step)> =
+        events.into_iter().map(|(event, step)| (event.to_string(), (event, step))).collect();
+    by_text.into_values().collect()
 }
 
 /// All ways to choose one of each.
