@@ -48,6 +48,11 @@ impl Failure {
         Failure { exit, diagnostics: vec![diagnostic], sources: loaded.sources.clone() }
     }
 
+    /// Several things that concern places in a specification.
+    pub(crate) fn several(exit: Exit, diagnostics: Vec<Diagnostic>, loaded: &Loaded) -> Self {
+        Failure { exit, diagnostics, sources: loaded.sources.clone() }
+    }
+
     /// Arguments that make no sense.
     pub(crate) fn usage(message: impl Into<String>) -> Self {
         Failure::new(Exit::Wrong, nowhere(Code::Usage, message).help("see `sml --help`"))

@@ -10,6 +10,7 @@ mod input;
 mod options;
 mod output;
 mod session;
+mod warnings;
 
 use clap::Parser as _;
 use failure::{Exit, Failure};

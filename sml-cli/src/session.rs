@@ -7,11 +7,13 @@ use std::io::IsTerminal;
 use std::path::Path;
 use std::time::Duration;
 use synth_core::controller::{Controller, Level};
+use synth_core::diagnostic::Diagnostic;
 use synth_core::existential::{Existential, existential};
 use synth_core::explore::{Explored, explore};
 use synth_core::model::Spec;
 use synth_core::pipeline::{self, Options, Solved, Timings, Verified};
 use synth_core::playout::Semantics;
+use synth_core::quality;
 use synth_core::syntax::Loaded;
 
 /// Options and clock.
@@ -126,6 +128,11 @@ impl Session {
         let options = self.options(Level::default());
         let found = self.timings.stage("existential", || existential(spec, &options, solved, controller));
         found.map_err(|failure| Failure::of(&failure, loaded))
+    }
+
+    /// What the text of a specification is warned of.
+    pub(crate) fn warnings(&mut self, loaded: &Loaded, spec: &Spec) -> Vec<Diagnostic> {
+        self.timings.stage("warnings", || quality::of_text(loaded, spec))
     }
 
     /// Runs a stage that is no part of the pipeline.

@@ -4,11 +4,12 @@ use crate::failure::{Exit, Failure};
 use crate::options::Format;
 use crate::output;
 use crate::session::Session;
+use crate::warnings::Warnings;
 use serde::Serialize;
 use serde_json::Value as Json;
 use std::path::PathBuf;
 use synth_core::controller::Level;
-use synth_core::diagnostic::{Diagnostic, Severity, render, to_json};
+use synth_core::diagnostic::{Diagnostic, render, to_json};
 use synth_core::existential::Existential;
 use synth_core::explain::{Explanation, explain};
 use synth_core::model::{Kind, Spec};
@@ -20,9 +21,8 @@ use synth_core::syntax::Loaded;
 pub(crate) struct Arguments {
     /// The specification; `-` is stdin
     file: PathBuf,
-    /// Fail if there is a warning
-    #[arg(long)]
-    deny_warnings: bool,
+    #[command(flatten)]
+    warnings: Warnings,
 }
 
 #[derive(Serialize)]
@@ -72,13 +72,15 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let loaded = session.load(&arguments.file)?;
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;
-    let report = examine(&loaded, &spec, &mut solved, session)?;
+    let policy = arguments.warnings.policy();
+    let mut report = examine(&loaded, &spec, &mut solved, session)?;
+    report.diagnostics.extend(session.warnings(&loaded, &spec));
+    policy.apply(&mut report.diagnostics);
     output::print(&match session.format() {
         Format::Json => json(&report, &loaded),
         Format::Text => text(&report, &spec, &loaded, session.color(&std::io::stdout())),
     })?;
-    let denied =
-        arguments.deny_warnings && report.diagnostics.iter().any(|d| d.severity == Severity::Warning);
+    let denied = report.diagnostics.iter().any(|one| policy.denies(one));
     Ok(if report.figures.realizable && !denied { Exit::Done } else { Exit::No })
 }
 

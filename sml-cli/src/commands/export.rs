@@ -3,6 +3,7 @@
 use crate::failure::{Exit, Failure, nowhere};
 use crate::options::Minimize;
 use crate::session::Session;
+use crate::warnings::{self, Warnings};
 use crate::{input, output};
 use clap::ValueEnum;
 use std::fmt;
@@ -34,6 +35,8 @@ pub(crate) struct Arguments {
     templates: Option<PathBuf>,
     #[command(flatten)]
     minimize: Minimize,
+    #[command(flatten)]
+    warnings: Warnings,
     #[command(flatten)]
     text: StructuredText,
 }
@@ -119,6 +122,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;
     let controller = session.synthesize(&loaded, &mut solved, level)?.controller;
+    warnings::show(session.warnings(&loaded, &spec), &arguments.warnings.policy(), &loaded, session)?;
     let tables = Tables::new(&spec.name, &controller, provenance(&loaded, &spec));
     let text = session
         .stage("emit", || write(&tables, &controller, &arguments.text.options()))

@@ -4,6 +4,7 @@ use crate::failure::{Exit, Failure};
 use crate::options::Minimize;
 use crate::output;
 use crate::session::Session;
+use crate::warnings::{self, Warnings};
 use std::path::PathBuf;
 use synth_core::controller::json::to_json;
 
@@ -17,6 +18,8 @@ pub(crate) struct Arguments {
     output: Option<PathBuf>,
     #[command(flatten)]
     minimize: Minimize,
+    #[command(flatten)]
+    warnings: Warnings,
 }
 
 pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
@@ -26,6 +29,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;
     let verified = session.synthesize(&loaded, &mut solved, level)?;
+    warnings::show(session.warnings(&loaded, &spec), &arguments.warnings.policy(), &loaded, session)?;
     let controller = &verified.controller;
     output::product(arguments.output.as_deref(), &to_json(controller))?;
     let rows: usize = controller.environment.iter().map(Vec::len).sum();

@@ -188,6 +188,74 @@ codes! {
          Wrong:  while { eventually control -> lamp.blink() }\n\
          Right:  while { clock -> control.tick()  eventually control -> lamp.blink() }\n";
 
+    SystemBreaksAssumption = 90, "an assumption that the controller could break",
+        "In some state a guarantee asks for an event of the system that violates an assumption. A controller must not\n\
+         win by breaking its environment, so by default the event is not executable there and the controller has to do\n\
+         without it; with `--classic` it may happen and wins the game. Either the guarantee asks too early or the\n\
+         assumption is about something that the system decides. The play that leads there is shown.\n\n\
+         Wrong:  guarantee scenario G { user -> ctl.go() urgent ctl -> arm.move() }\n        \
+         assumption scenario A { ctl -> arm.move() strict eventually arm -> ctl.done() }\n\
+         Right:  guarantee scenario G { user -> ctl.go() wait [!arm.moving] urgent ctl -> arm.move() }\n";
+    SystemOnlyWait = 91, "an assumption that waits for what the environment does not change",
+        "`wait eventually` in an assumption promises that the environment makes the condition true some day. But no event\n\
+         of the environment changes anything that the condition reads, so only the system could keep the promise. A\n\
+         controller wins by leaving it open for ever, and then owes nothing. What the system has to bring about belongs\n\
+         into a guarantee.\n\n\
+         Wrong:  effects { Controller -> Lamp.light() { receiver.on = true } }\n        \
+         assumption scenario A { user -> ctl.ask() wait eventually [lamp.on] }\n\
+         Right:  guarantee scenario G { user -> ctl.ask() wait eventually [lamp.on] }\n";
+    Trapped = 92, "a controller that leaves its environment no way on",
+        "In the controlled system a state is reached from which the environment cannot keep its assumptions, whatever it\n\
+         does: an assumption promises an event that cannot happen any more. By the winning condition the system then wins\n\
+         every play, and the controller may stop doing its work. Either a guarantee or an effect rules out the event that\n\
+         is promised, or the assumption promises too much. The play that leads there is shown.\n\n\
+         Wrong:  assumption scenario A { ctl -> arm.move() strict eventually arm -> ctl.done() }\n        \
+         assumption scenario B { user -> ctl.stop() user -> ctl.go() } constraints [ forbidden arm -> ctl.done() ]\n\
+         Right:  assumption scenario A { ctl -> arm.move() eventually arm -> ctl.done() }\n        \
+         constraints [ interrupt user -> ctl.stop() ]\n";
+    NeverStarts = 93, "a scenario that can never start",
+        "A copy of a scenario starts when its first message happens. No play of this specification contains such an event,\n\
+         so the scenario says nothing. The note says why: nobody sends it, a constant lies outside the parameter's range,\n\
+         no channel links the two objects, or the event is not spontaneous and no assumption causes it.\n\n\
+         Wrong:  parameter ranges { Lift.call(floor = [1..3]) }  …  user -> lift.call(4)\n\
+         Right:  parameter ranges { Lift.call(floor = [1..4]) }  …  user -> lift.call(4)\n";
+    Vacuous = 94, "a guarantee that the controlled system never needs",
+        "In every play of controller and environment this guarantee either does not start or never comes to a place where\n\
+         it asks for something or forbids it. It is met because nothing happens that it speaks of: often a sign that\n\
+         another scenario keeps the system from ever getting there, or that a first message is not the one that was meant.\n";
+    OrderMatters = 95, "two events of the environment whose order makes a difference",
+        "In some state of the controlled system either of two events can come, and what the controller does, or where it\n\
+         ends, depends on which is first; or only one order is allowed, and after the other the second event fits nowhere.\n\
+         A programmable controller samples its inputs: both may come in one scan, and then they are taken in table order,\n\
+         which is the order of their texts. See to it that this order is right, that both cannot come within one cycle\n\
+         time, or write the scenarios so that the order makes no difference. The play that leads there is shown.\n";
+    CoveredSiblings = 96, "a message with `bind` that catches more than it names",
+        "All messages of a scenario count while a copy is active, and one with `bind v` matches every value. So after\n\
+         `controller -> arm.moveTo(bind t)`, while a `strict` message is due, every other `moveTo` of that arm is \"another\n\
+         message of the scenario\" and violates it, not only `moveTo(t)`. Here some scenario asks for such an event at that\n\
+         moment. If it is to be forbidden, say so; if each value is to be followed on its own, say that others do not\n\
+         concern the copy.\n\n\
+         Wrong:  { ctl -> arm.moveTo(bind t)  strict eventually arm -> ctl.arrivedAt(t) }\n\
+         Right:  { … } constraints [ ignore ctl -> arm.moveTo(*) ]\n\
+         Right:  { … } constraints [ forbidden ctl -> arm.moveTo(*) ]\n";
+    Unused = 97, "a declaration that nothing uses",
+        "A class, enum, object, role, attribute, operation, variable, effect, or an entry about an event, without which the\n\
+         specification would mean the same. Often a name was mistyped elsewhere or a scenario forgotten. Attributes and\n\
+         variables that are written but never read make states different that need not be. Declarations of imported files\n\
+         are not reported, for another specification may use them.\n\n\
+         Wrong:  var 1..=3 floor  user -> ctl.call(bind floor)  urgent ctl -> lift.go()\n\
+         Right:  user -> ctl.call(*)  urgent ctl -> lift.go()\n";
+    NeverCaused = 98, "an event that waits for a cause and has none",
+        "An event under `non-spontaneous events` can happen only while a copy of an assumption is at a message with a\n\
+         modality (`eventually`, `urgent`, `requested` or `committed`) that it matches. A message without one only waits for\n\
+         the event, and the first message of a scenario only starts it: neither causes anything. So this event never happens.\n\n\
+         Wrong:  assumption scenario A { ctl -> arm.pickUp()  arm -> ctl.pickedUp() }\n\
+         Right:  assumption scenario A { ctl -> arm.pickUp()  eventually arm -> ctl.pickedUp() }\n";
+    NotNeeded = 99, "an assumption that no guarantee needs",
+        "If this assumption is relaxed, so that the environment may break it and need not meet its obligations, a controller\n\
+         still exists. The fewer assumptions a controller relies on, the more environments it fits. An assumption that only\n\
+         causes events goes on causing them when relaxed. Remove it, or make it weaker, unless it is there to document the plant.\n";
+
     Usage = 100, "wrong usage",
         "The arguments make no sense together. `sml --help` and `sml COMMAND --help` say what can be asked. \
          The exit code is 2.\n";

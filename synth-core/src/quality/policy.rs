@@ -1,0 +1,137 @@
+//! Which warnings are shown, and which are as bad as errors.
+
+use crate::diagnostic::{Code, Diagnostic, Severity};
+use std::str::FromStr;
+
+/// What to do about warnings. By default all are shown and none is denied.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Policy {
+    allowed: Vec<Code>,
+    denied: Vec<Code>,
+    all_denied: bool,
+}
+
+impl Policy {
+    /// Warnings of this code are not shown.
+    #[must_use]
+    pub fn allow(mut self, warning: Warning) -> Self {
+        self.allowed.push(warning.0);
+        self
+    }
+
+    /// Warnings of this code are as bad as errors, unless they are allowed.
+    #[must_use]
+    pub fn deny(mut self, warning: Warning) -> Self {
+        self.denied.push(warning.0);
+        self
+    }
+
+    /// Every warning that is not allowed is as bad as an error.
+    #[must_use]
+    pub fn deny_all(mut self) -> Self {
+        self.all_denied = true;
+        self
+    }
+
+    /// Whether something is denied that takes more than the text to see.
+    #[must_use]
+    pub fn denies_plays(&self) -> bool {
+        self.all_denied || self.denied.iter().any(|code| !Warning(*code).is_of_text())
+    }
+
+    /// Removes what is allowed; says of what is denied that it is.
+    pub fn apply(&self, diagnostics: &mut Vec<Diagnostic>) {
+        diagnostics.retain(|one| one.severity == Severity::Error || !self.allowed.contains(&one.code));
+        for one in diagnostics.iter_mut().filter(|one| self.denies(one)) {
+            one.notes.push("this warning is denied".to_owned());
+        }
+    }
+
+    /// Whether a diagnostic is a warning that is denied.
+    #[must_use]
+    pub fn denies(&self, diagnostic: &Diagnostic) -> bool {
+        let Diagnostic { code, severity, .. } = diagnostic;
+        *severity == Severity::Warning
+            && !self.allowed.contains(code)
+            && (self.all_denied || self.denied.contains(code))
+    }
+}
+
+/// The code of a warning.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Warning(Code);
+
+impl Warning {
+    /// All of them, in order.
+    pub fn all() -> impl Iterator<Item = Warning> {
+        Code::ALL.iter().copied().filter(|&code| (90..100).contains(&(code as u16))).map(Warning)
+    }
+
+    /// Whether the text alone shows it.
+    fn is_of_text(self) -> bool {
+        matches!(self.0, Code::SystemOnlyWait | Code::Unused | Code::NeverCaused)
+    }
+}
+
+impl FromStr for Warning {
+    type Err = String;
+
+    /// `SML0097`; case does not matter.
+    fn from_str(text: &str) -> Result<Self, String> {
+        Warning::all().find(|warning| warning.0.to_string().eq_ignore_ascii_case(text)).ok_or_else(|| {
+            let codes: Vec<String> = Warning::all().map(|warning| warning.0.to_string()).collect();
+            format!("there is no such warning; the warnings are {}", codes.join(", "))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::syntax::Span;
+
+    fn warning(code: &str) -> Warning {
+        code.parse().expect("a warning")
+    }
+
+    #[track_caller]
+    fn check(policy: &Policy, shown: &[u16], denied: &[u16]) {
+        let codes = [Code::Trapped, Code::Unused, Code::NeverCaused];
+        let mut diagnostics: Vec<Diagnostic> =
+            codes.map(|code| Diagnostic::warning(code, Span::default(), "")).into();
+        diagnostics.push(Diagnostic::error(Code::Unrealizable, Span::default(), ""));
+        policy.apply(&mut diagnostics);
+        let numbers = |keep: &dyn Fn(&&Diagnostic) -> bool| -> Vec<u16> {
+            diagnostics.iter().filter(keep).map(|one| one.code as u16).collect()
+        };
+        assert_eq!(numbers(&|_| true), shown);
+        assert_eq!(numbers(&|one| policy.denies(one)), denied);
+        assert_eq!(numbers(&|one| !one.notes.is_empty()), denied);
+    }
+
+    #[test]
+    fn policies() {
+        let none = Policy::default();
+        check(&none, &[92, 97, 98, 70], &[]);
+        check(&none.clone().deny(warning("SML0097")), &[92, 97, 98, 70], &[97]);
+        check(&none.clone().allow(warning("sml0097")), &[92, 98, 70], &[]);
+        check(&none.clone().deny_all(), &[92, 97, 98, 70], &[92, 97, 98]);
+        check(&none.deny_all().allow(warning("SML0092")), &[97, 98, 70], &[97, 98]);
+    }
+
+    #[test]
+    fn what_a_policy_has_to_see() {
+        assert!(!Policy::default().deny(warning("SML0097")).denies_plays());
+        assert!(Policy::default().deny(warning("SML0092")).denies_plays());
+        assert!(Policy::default().deny_all().denies_plays());
+    }
+
+    #[test]
+    fn only_warnings() {
+        assert_eq!(Warning::all().count(), 10);
+        for wrong in ["SML0070", "SML0100", "97", ""] {
+            let error = wrong.parse::<Warning>().expect_err("no warning");
+            assert!(error.ends_with("SML0097, SML0098, SML0099"), "{error}");
+        }
+    }
+}
