@@ -135,6 +135,16 @@ impl Session {
         self.timings.stage("warnings", || quality::of_text(loaded, spec))
     }
 
+    /// Everything that a specification is warned of.
+    pub(crate) fn all_warnings(
+        &mut self,
+        loaded: &Loaded,
+        solved: &mut Solved<'_>,
+    ) -> Result<Vec<Diagnostic>, Failure> {
+        let warnings = pipeline::warnings(loaded, solved, &mut self.timings);
+        warnings.map_err(|failure| Failure::of(&failure, loaded))
+    }
+
     /// Runs a stage that is no part of the pipeline.
     pub(crate) fn stage<T>(&mut self, name: &'static str, run: impl FnOnce() -> T) -> T {
         self.timings.stage(name, run)

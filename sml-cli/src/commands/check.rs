@@ -74,7 +74,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let mut solved = session.solve(&loaded, &spec)?;
     let policy = arguments.warnings.policy();
     let mut report = examine(&loaded, &spec, &mut solved, session)?;
-    report.diagnostics.extend(session.warnings(&loaded, &spec));
+    report.diagnostics.extend(session.all_warnings(&loaded, &mut solved)?);
     policy.apply(&mut report.diagnostics);
     output::print(&match session.format() {
         Format::Json => json(&report, &loaded),

@@ -28,6 +28,32 @@ pub(super) fn first_missed(
     })
 }
 
+/// Per node of the strategy: the environment has no play from there that is fair to all assumptions.
+#[must_use]
+pub fn trapped(game: &Game, strategy: &Strategy) -> Vec<bool> {
+    let mut is_assumption = vec![false; game.key_sets.keys() as usize];
+    for &key in &game.assumptions {
+        is_assumption[key as usize] = true;
+    }
+    let goal = Acceptance::nothing(game);
+    let part = Part { game, strategy, goal: &goal, is_assumption: &is_assumption };
+    let mut trapped = vec![false; strategy.nodes()];
+    // A component comes after those that it leads to.
+    Components::new(strategy.nodes()).any(&part, |component, of| {
+        let leads_out = |&node: &u32| {
+            strategy.edges_of(node).any(|edge| {
+                let target = strategy.target[edge];
+                of[target as usize] != of[node as usize] && !trapped[target as usize]
+            })
+        };
+        if !component.iter().any(leads_out) && !part.is_fair(component, of) {
+            component.iter().for_each(|&node| trapped[node as usize] = true);
+        }
+        false
+    });
+    trapped
+}
+
 /// The part of a strategy's graph in which a goal is not accepted.
 struct Part<'a> {
     game: &'a Game,

@@ -15,6 +15,7 @@ mod strategy;
 
 pub use counter::{CounterPlay, Loss, can_meet, counter_play};
 pub use extract::{ExtractError, extract};
+pub use fairness::trapped;
 pub use keysets::{KeySets, KeySetsBuilder};
 pub use solve::{Solution, solve, solve_ending};
 pub use strategy::Strategy;

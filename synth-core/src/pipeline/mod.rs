@@ -18,6 +18,7 @@ use crate::explore::{Explored, Limits, explore};
 use crate::game::{Game, Solution, Strategy, extract, solve, solve_ending};
 use crate::model::{Spec, resolve::resolve};
 use crate::playout::{Config, Semantics};
+use crate::quality;
 use crate::syntax::Loaded;
 use crate::verify::verify;
 use std::time::{Duration, Instant};
@@ -148,6 +149,34 @@ pub fn synthesize(
     }
     let product_nodes = timings.stage("verify", || verify(&controller))?;
     Ok(Verified { controller, unminimized_states: raw.states, product_nodes })
+}
+
+/// Everything that a specification is warned of, in the order of places. With plays: what exploration shows, and if
+/// it is realizable, what a strategy shows.
+///
+/// # Errors
+/// The solver contradicts itself.
+pub fn warnings(
+    loaded: &Loaded,
+    solved: &mut Solved<'_>,
+    timings: &mut Timings,
+) -> Result<Vec<Diagnostic>, Failure> {
+    let mut warnings = quality::of_text(loaded, solved.explored.playout.spec());
+    let Solved { explored, solution } = solved;
+    let of_game = timings.stage("warnings of plays", || quality::of_game(explored));
+    if solution.wins(explored.game.initial) {
+        let strategy = timings.stage("extract", || strategy(&explored.game, solution))?;
+        // Without one there is no controlled system to speak of, and that is an error of its own.
+        if let Ok(controller) = timings.stage("super steps", || merged(explored, &strategy)) {
+            let controller = timings.stage("minimise", || minimize(&controller, Level::Exact));
+            warnings.extend(timings.stage("warnings of control", || {
+                quality::of_controller(explored, &strategy, &controller, &of_game)
+            }));
+        }
+    }
+    warnings.extend(of_game);
+    quality::sort(&mut warnings);
+    Ok(warnings)
 }
 
 /// A winning strategy; one in which every super step ends, if there is such a one.

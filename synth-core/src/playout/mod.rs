@@ -18,6 +18,7 @@ mod memo;
 mod offers;
 mod pattern;
 mod react;
+mod refusals;
 mod relax;
 mod step;
 mod turn;
@@ -29,6 +30,7 @@ pub(crate) use copies::variables_read;
 pub use copies::{Copy, CopyId};
 pub use events::{Event, EventId};
 pub use keys::{Key, KeyId};
+pub use refusals::Refusal;
 pub use step::Step;
 pub use turn::{Goal, Move, Moves};
 

@@ -51,7 +51,7 @@ impl Default for Moves {
 
 /// How urgently an event is asked for.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-enum Urgency {
+pub(super) enum Urgency {
     Committed,
     Urgent,
     Eventually,
@@ -69,8 +69,8 @@ impl From<Modality> for Urgency {
 
 /// What the active copies ask for.
 #[derive(Default)]
-struct Wishes {
-    system: Vec<(Urgency, EventId)>,
+pub(super) struct Wishes {
+    pub(super) system: Vec<(Urgency, EventId)>,
     /// What relaxed guarantees ask of the system.
     relaxed: Vec<(Urgency, EventId)>,
     /// Messages of the system that cannot be formed.
@@ -139,7 +139,7 @@ impl Playout<'_> {
         owed
     }
 
-    fn wishes(&mut self, config: &Config) -> Wishes {
+    pub(super) fn wishes(&mut self, config: &Config) -> Wishes {
         let mut wishes = Wishes::default();
         let relaxes = !self.relaxed.is_clear();
         let valuation = (config.valuation, self.valuations.get(config.valuation));

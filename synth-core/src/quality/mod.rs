@@ -11,14 +11,23 @@
 
 mod causes;
 mod mentions;
+mod order;
+mod plays;
 mod policy;
 mod reads;
+mod separation;
+mod starts;
+mod trapped;
 mod unused;
+mod vacuous;
 mod waits;
 
 pub use policy::{Policy, Warning};
 
+use crate::controller::Controller;
 use crate::diagnostic::Diagnostic;
+use crate::explore::Explored;
+use crate::game::Strategy;
 use crate::model::Spec;
 use crate::syntax::Loaded;
 
@@ -29,6 +38,33 @@ pub fn of_text(loaded: &Loaded, spec: &Spec) -> Vec<Diagnostic> {
     warnings.extend(unused::declarations(&loaded.files, spec));
     warnings.extend(causes::uncaused(&loaded.files, spec));
     warnings.extend(waits::hopeless(spec));
+    sort(&mut warnings);
+    warnings
+}
+
+/// Warnings about what plays of the specification lead to, in the order of their places.
+///
+/// Costs one more look at every state, and for each event that is asked for and may not happen one more step.
+#[must_use]
+pub fn of_game(explored: &mut Explored<'_>) -> Vec<Diagnostic> {
+    let mut warnings = separation::breaches(explored);
+    warnings.extend(starts::never(explored));
+    sort(&mut warnings);
+    warnings
+}
+
+/// Warnings about the system under a winning strategy, in the order of their places. `controller` does what the
+/// strategy does and has no states that no environment can tell apart; `warned` is what [`of_game`] gave.
+#[must_use]
+pub fn of_controller(
+    explored: &mut Explored<'_>,
+    strategy: &Strategy,
+    controller: &Controller,
+    warned: &[Diagnostic],
+) -> Vec<Diagnostic> {
+    let mut warnings = vacuous::guarantees(explored, strategy, warned);
+    warnings.extend(trapped::environment(explored, strategy));
+    warnings.extend(order::differences(explored, strategy, controller));
     sort(&mut warnings);
     warnings
 }

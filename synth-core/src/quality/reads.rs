@@ -2,7 +2,9 @@
 
 use crate::model::{
     Argument, ClassId, Effect, Endpoint, Expr, Message, NodeKind, ObjectId, RoleRef, Scenario, Spec, Type,
+    Value,
 };
+use crate::playout::Event;
 
 /// Where an expression stands: it decides what variables, roles and parameters are.
 #[derive(Clone, Copy)]
@@ -110,4 +112,16 @@ pub(super) fn has_effect(spec: &Spec, scenario: &Scenario, message: &Message, ef
     message.operation == effect.operation
         && players(spec, scenario, message.sender).any(|object| is_at(spec, effect.sender, object))
         && players(spec, scenario, message.receiver).any(|object| is_at(spec, effect.receiver, object))
+}
+
+/// Whether the event can be this message, if arguments that are not constant fit.
+pub(super) fn could_be(spec: &Spec, scenario: &Scenario, message: &Message, event: &Event) -> bool {
+    let fits = |(argument, given): (&Argument, &Value)| match argument {
+        Argument::Value(value) => value.constant().is_none_or(|constant| constant == *given),
+        Argument::Any | Argument::Bind(_) => true,
+    };
+    message.operation == event.operation
+        && players(spec, scenario, message.sender).any(|object| object == event.sender)
+        && players(spec, scenario, message.receiver).any(|object| object == event.receiver)
+        && message.arguments.iter().zip(&event.arguments).all(fits)
 }

@@ -1,0 +1,71 @@
+//! Events that guarantees ask for and that may not happen.
+
+use super::events::EventId;
+use super::turn::Urgency;
+use super::{Config, Playout, Step};
+use crate::game::Turn;
+use crate::model::NodeId;
+
+/// An event of the system that is asked for when the turn is decided, and violates something.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Refusal {
+    /// The event.
+    pub event: EventId,
+    /// The scenarios that it violates, as indices, ascending; not empty.
+    pub violated: Vec<usize>,
+}
+
+impl Playout<'_> {
+    /// The events that guarantees ask for in `config`, as urgently as the turn there or more so, and that violate
+    /// something. `turn` is the turn there; events for which `is_fine` holds are known to violate nothing.
+    pub fn refusals(
+        &mut self,
+        config: &Config,
+        turn: Turn,
+        is_fine: impl Fn(EventId) -> bool,
+        refusals: &mut Vec<Refusal>,
+    ) {
+        let decided_by = match turn {
+            Turn::SystemCommitted | Turn::EnvironmentCommitted => Urgency::Committed,
+            Turn::SystemUrgent | Turn::EnvironmentUrgent => Urgency::Urgent,
+            _ if config.yielded => Urgency::Urgent,
+            _ => Urgency::Eventually,
+        };
+        let wishes = self.wishes(config).system;
+        let mut asked: Vec<EventId> = wishes
+            .into_iter()
+            .filter(|&(urgency, event)| urgency <= decided_by && !is_fine(event))
+            .map(|(_, event)| event)
+            .collect();
+        asked.sort_unstable();
+        asked.dedup();
+        let mut step = Step::default();
+        for event in asked {
+            if !self.is_linked(config, event) {
+                continue;
+            }
+            self.step(config, event, &mut step);
+            if !step.violated.is_empty() && step.error.is_none() {
+                refusals.push(Refusal { event, violated: std::mem::take(&mut step.violated) });
+            }
+        }
+    }
+
+    /// Scenario and fragment of the message that asks for an event of the system in `config`.
+    pub fn asking(&mut self, config: &Config, event: EventId) -> Option<(usize, NodeId)> {
+        let valuation = (config.valuation, self.valuations.get(config.valuation));
+        for &copy in &config.copies {
+            let offers = self.offers.of(self.spec, &mut self.events, &self.copies, copy, valuation);
+            if !offers.system.iter().any(|(_, wanted)| wanted.as_ref() == Ok(&event)) {
+                continue;
+            }
+            let copy = self.copies.get(copy);
+            let scenario = &self.spec.scenarios[copy.scenario];
+            let operation = self.events.get(event).operation;
+            let is_it = |node: &&NodeId| scenario.message(**node).is_some_and(|m| m.operation == operation);
+            let node = copy.cut.iter().find(is_it)?;
+            return Some((copy.scenario, *node));
+        }
+        None
+    }
+}

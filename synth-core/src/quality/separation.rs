@@ -1,0 +1,214 @@
+//! Events that guarantees ask for and that violate something: assumptions that the system can break (well-separation),
+//! and messages with `bind` that catch more than the value that they bind.
+
+use super::plays::{Plays, note};
+use super::reads::{patterns, players};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::explore::Explored;
+use crate::game::Turn;
+use crate::model::{Argument, ConstraintKind, Kind, NodeId, NodeKind, Scenario, Spec, UNSET};
+use crate::playout::{Config, Copy, EventId, Playout, Refusal, Step};
+use crate::syntax::Span;
+use std::cell::OnceCell;
+use std::collections::BTreeSet;
+
+/// Looks at every state of the game.
+pub(super) fn breaches(explored: &mut Explored<'_>) -> Vec<Diagnostic> {
+    let spec = explored.playout.spec();
+    let mut search = Search {
+        breakable: indices(spec, |scenario| scenario.kind == Kind::Assumption && can_break(spec, scenario)),
+        binding: indices(spec, |scenario| scenario.kind != Kind::Existential && binds(scenario)),
+        plays: OnceCell::new(),
+        warnings: Vec::new(),
+    };
+    if search.breakable.is_empty() && search.binding.is_empty() {
+        return Vec::new();
+    }
+    let (mut config, mut refusals) = (Config::default(), Vec::new());
+    for state in 0..explored.store.len() as u32 {
+        let Explored { playout, store, game } = &mut *explored;
+        store.load(state, &mut config);
+        let target = |edge: usize| game.turn[game.target[edge] as usize];
+        let is_fine = |event: EventId| {
+            game.edges_of(state).any(|edge| game.label[edge] == event && target(edge) != Turn::Won)
+        };
+        refusals.clear();
+        playout.refusals(&config, game.turn[state as usize], is_fine, &mut refusals);
+        if !search.binding.is_empty() {
+            let lost = game.edges_of(state).filter(|&edge| target(edge) == Turn::Lost);
+            refusals.extend(lost.map(|edge| violation(playout, &config, game.label[edge])));
+        }
+        for refusal in &refusals {
+            search.look_at(explored, state, &config, refusal);
+        }
+        if search.breakable.is_empty() && search.binding.is_empty() {
+            break;
+        }
+    }
+    search.warnings
+}
+
+fn indices(spec: &Spec, which: impl Fn(&Scenario) -> bool) -> BTreeSet<usize> {
+    (0..spec.scenarios.len()).filter(|&index| which(&spec.scenarios[index])).collect()
+}
+
+/// Whether an event of the system could violate the scenario at all.
+fn can_break(spec: &Spec, scenario: &Scenario) -> bool {
+    let mut nodes = scenario.nodes.iter();
+    nodes.any(|node| matches!(node.kind, NodeKind::Violation(_)))
+        || patterns(scenario)
+            .any(|message| players(spec, scenario, message.sender).any(|sender| spec.controllable[sender]))
+}
+
+fn binds(scenario: &Scenario) -> bool {
+    scenario.messages().any(|m| m.arguments.iter().any(|argument| matches!(argument, Argument::Bind(_))))
+}
+
+fn violation(playout: &mut Playout<'_>, config: &Config, event: EventId) -> Refusal {
+    let mut step = Step::default();
+    playout.step(config, event, &mut step);
+    Refusal { event, violated: step.violated }
+}
+
+struct Search {
+    /// Assumptions that were not seen to be violated by the system yet, as far as that is possible.
+    breakable: BTreeSet<usize>,
+    /// Scenarios with a `bind` that was not seen to catch too much yet.
+    binding: BTreeSet<usize>,
+    plays: OnceCell<Plays>,
+    warnings: Vec<Diagnostic>,
+}
+
+impl Search {
+    fn look_at(&mut self, explored: &mut Explored<'_>, state: u32, config: &Config, refusal: &Refusal) {
+        let spec = explored.playout.spec();
+        let is_guarantee = |&scenario: &usize| spec.scenarios[scenario].kind == Kind::Guarantee;
+        for &scenario in &refusal.violated {
+            if self.binding.contains(&scenario)
+                && let Some(warning) = covered(&explored.playout, config, refusal.event, scenario)
+            {
+                self.binding.remove(&scenario);
+                self.warn(explored, state, refusal.event, warning);
+            }
+        }
+        // What violates a guarantee, too, is forbidden to the system anyway.
+        if !explored.playout.event(refusal.event).controllable || refusal.violated.iter().any(is_guarantee) {
+            return;
+        }
+        for &scenario in &refusal.violated {
+            if self.breakable.remove(&scenario) {
+                let warning = broken(&mut explored.playout, config, refusal.event, scenario);
+                self.warn(explored, state, refusal.event, warning);
+            }
+        }
+    }
+
+    fn warn(&mut self, explored: &Explored<'_>, state: u32, event: EventId, warning: Diagnostic) {
+        let plays = self.plays.get_or_init(|| Plays::of(&explored.game));
+        self.warnings.push(warning.note(note(&plays.to(explored, state, Some(event)))));
+    }
+}
+
+/// An assumption that the event violates although a guarantee asks for it.
+fn broken(playout: &mut Playout<'_>, config: &Config, event: EventId, index: usize) -> Diagnostic {
+    let spec = playout.spec();
+    let scenario = &spec.scenarios[index];
+    let asking = playout.asking(config, event);
+    let text = &playout.event(event).text;
+    let message = format!("an event of the system can violate assumption `{}`", scenario.name);
+    let mut warning = Diagnostic::warning(Code::SystemBreaksAssumption, scenario.span, message)
+        .label(format!("`{text}` would violate this"));
+    if let Some(span) = violated_at(playout, config, event, index) {
+        warning = warning.also(span, "the assumption has come to this place then");
+    }
+    if let Some((asking, node)) = asking {
+        warning = warning
+            .also(spec.scenarios[asking].nodes[usize::from(node)].span, "a guarantee asks for it here");
+    }
+    let consequence = if playout.semantics().classic {
+        "with `--classic` the system may do this, and wins by it"
+    } else {
+        "the system may not do this; the guarantee has to wait"
+    };
+    warning
+        .note(consequence)
+        .help("let the guarantee wait until the assumption is over, or forbid the event in a guarantee")
+}
+
+/// The place at which a copy of the scenario stands when the event violates it.
+fn violated_at(playout: &Playout<'_>, config: &Config, event: EventId, index: usize) -> Option<Span> {
+    let scenario = &playout.spec().scenarios[index];
+    let operation = playout.event(event).operation;
+    copies(playout, config, index).find_map(|copy| {
+        let strict = copy.cut.iter().find(|&&node| is_strict(scenario, node));
+        let forbids = |kind| matches!(kind, ConstraintKind::Forbidden | ConstraintKind::Consider);
+        let mut constraints = scenario.constraints();
+        let constraint = constraints.find(|c| forbids(c.kind) && c.message.operation == operation);
+        let constraint = constraint.map(|constraint| constraint.message.span);
+        constraint.or(strict.map(|&node| scenario.nodes[usize::from(node)].span))
+    })
+}
+
+fn copies<'a>(
+    playout: &'a Playout<'_>,
+    config: &'a Config,
+    scenario: usize,
+) -> impl Iterator<Item = &'a Copy> {
+    config.copies.iter().map(|&copy| playout.copy(copy)).filter(move |copy| copy.scenario == scenario)
+}
+
+fn is_strict(scenario: &Scenario, node: NodeId) -> bool {
+    match scenario.nodes[usize::from(node)].kind {
+        NodeKind::Message { strict, .. } | NodeKind::Wait { strict, .. } => strict,
+        _ => false,
+    }
+}
+
+/// A scenario that the event violates because a message with `bind`, which is past, takes any value.
+fn covered(playout: &Playout<'_>, config: &Config, event: EventId, index: usize) -> Option<Diagnostic> {
+    let spec = playout.spec();
+    let scenario = &spec.scenarios[index];
+    let event = playout.event(event);
+    // Where the scenario speaks of other values expressly, that is what was meant.
+    let same = |operation: usize| operation == event.operation;
+    if scenario.constraints().any(|constraint| same(constraint.message.operation)) {
+        return None;
+    }
+    copies(playout, config, index).find_map(|copy| {
+        let &strict = copy.cut.iter().find(|&&node| is_strict(scenario, node))?;
+        let message = scenario.messages().find(|message| {
+            let values = message.arguments.iter().zip(&event.arguments);
+            let mut bound = values.filter_map(|(argument, &given)| match argument {
+                Argument::Bind(variable) => Some((copy.variables[*variable], given)),
+                Argument::Any | Argument::Value(_) => None,
+            });
+            same(message.operation) && bound.any(|(held, given)| held != UNSET && held != given)
+        })?;
+        let operation = &spec.domain.operations[event.operation].name;
+        let place = scenario.nodes[usize::from(strict)].span;
+        let text = format!("`{}` violates `{}`, although it has another argument", event.text, scenario.name);
+        Some(
+            Diagnostic::warning(Code::CoveredSiblings, message.span, text)
+                .label(
+                    "with `bind` this stands for every value, and counts as long as the scenario is active",
+                )
+                .also(place, format!("while this is due, any other `{operation}` is a violation"))
+                .help(format!(
+                    "write `constraints [ ignore {0} ]` if other values are none of its business, or \
+                     `forbidden` if they are",
+                    pattern(spec, scenario, message)
+                )),
+        )
+    })
+}
+
+/// The message with `*` for every argument.
+fn pattern(spec: &Spec, scenario: &Scenario, message: &crate::model::Message) -> String {
+    let role = |role| match role {
+        crate::model::RoleRef::Object(object) => &spec.domain.objects[object].name,
+        crate::model::RoleRef::Dynamic(role) => &scenario.roles[role].name,
+    };
+    let stars = vec!["*"; message.arguments.len()].join(", ");
+    let operation = &spec.domain.operations[message.operation].name;
+    format!("{} -> {}.{operation}({stars})", role(message.sender), role(message.receiver))
+}
