@@ -13,7 +13,7 @@ use synth_core::explore::{Explored, explore};
 use synth_core::model::Spec;
 use synth_core::pipeline::{self, Options, Solved, Timings, Verified};
 use synth_core::playout::Semantics;
-use synth_core::quality;
+use synth_core::quality::{self, Policy};
 use synth_core::syntax::Loaded;
 
 /// Options and clock.
@@ -130,9 +130,17 @@ impl Session {
         found.map_err(|failure| Failure::of(&failure, loaded))
     }
 
-    /// What the text of a specification is warned of.
-    pub(crate) fn warnings(&mut self, loaded: &Loaded, spec: &Spec) -> Vec<Diagnostic> {
-        self.timings.stage("warnings", || quality::of_text(loaded, spec))
+    /// What a specification is warned of beside a product: what its text shows, and the rest only if that is denied.
+    pub(crate) fn warnings_beside(
+        &mut self,
+        loaded: &Loaded,
+        solved: &mut Solved<'_>,
+        policy: &Policy,
+    ) -> Result<Vec<Diagnostic>, Failure> {
+        if policy.denies_plays() {
+            return self.all_warnings(loaded, solved);
+        }
+        Ok(self.timings.stage("warnings", || quality::of_text(loaded, solved.explored.playout.spec())))
     }
 
     /// Everything that a specification is warned of.

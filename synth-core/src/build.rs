@@ -11,13 +11,15 @@
 //! ```
 //!
 //! Cargo runs the script again when the specification changes, or a file that it imports. A wrong or unrealizable
-//! specification ends the build with the same message that `sml check` prints.
+//! specification ends the build with the same message that `sml check` prints. Warnings are shown as Cargo's, in one line
+//! each; [`Build::deny`] makes one of them end the build.
 
 use crate::diagnostic::{Code, Diagnostic, render};
 use crate::emit::rust;
 use crate::explore::Limits;
-use crate::pipeline::{Options, Timings, compile as run};
-use crate::syntax::load;
+use crate::pipeline::{Options, Timings, compile_with_warnings as run};
+use crate::quality::{Policy, Warning};
+use crate::syntax::{Sources, load};
 use std::path::{Path, PathBuf};
 use std::{env, fs, io, process};
 
@@ -29,9 +31,10 @@ pub fn compile(path: impl AsRef<Path>) {
 }
 
 /// A compilation with options.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Build {
     options: Options,
+    policy: Policy,
 }
 
 impl Build {
@@ -55,6 +58,35 @@ impl Build {
         self
     }
 
+    /// Ends the build if there is a warning of this code, such as `SML0090`.
+    ///
+    /// # Panics
+    ///
+    /// If it is not the code of a warning.
+    #[must_use]
+    pub fn deny(mut self, code: &str) -> Self {
+        self.policy = self.policy.deny(warning(code));
+        self
+    }
+
+    /// Ends the build if there is any warning.
+    #[must_use]
+    pub fn deny_warnings(mut self) -> Self {
+        self.policy = self.policy.deny_all();
+        self
+    }
+
+    /// Does not show warnings of this code, nor end the build because of them.
+    ///
+    /// # Panics
+    ///
+    /// If it is not the code of a warning.
+    #[must_use]
+    pub fn allow(mut self, code: &str) -> Self {
+        self.policy = self.policy.allow(warning(code));
+        self
+    }
+
     /// As [`compile`].
     pub fn compile(self, path: impl AsRef<Path>) {
         if let Err(message) = self.try_compile(path.as_ref()) {
@@ -69,10 +101,20 @@ impl Build {
         let shown = path.display().to_string();
         let bytes = read(&package, &shown).map_err(|why| format!("error: {shown} cannot be read: {why}"))?;
         let loaded = load(&shown, &bytes, &mut |path| read(&package, path));
-        let tables = run(&loaded, &self.options, &mut Timings::default()).map_err(|failure| {
+        let compiled = run(&loaded, &self.options, &mut Timings::default());
+        let (tables, mut warnings) = compiled.map_err(|failure| {
             let diagnostics: Vec<Diagnostic> = failure.diagnostics().into_iter().map(advise).collect();
             render(&diagnostics, &loaded.sources, false)
         })?;
+        self.policy.apply(&mut warnings);
+        let (denied, shown): (Vec<_>, Vec<_>) =
+            warnings.into_iter().partition(|warning| self.policy.denies(warning));
+        for warning in &shown {
+            println!("cargo::warning={}", line(warning, &loaded.sources));
+        }
+        if !denied.is_empty() {
+            return Err(render(&denied, &loaded.sources, false));
+        }
         let mut name = path.file_stem().unwrap_or(path.as_os_str()).to_owned();
         name.push(".rs");
         let target = out.join(name);
@@ -87,6 +129,17 @@ fn advise(diagnostic: Diagnostic) -> Diagnostic {
         return diagnostic;
     }
     diagnostic.help("raise it with `synth_core::build::Build`, or make the specification smaller")
+}
+
+fn warning(code: &str) -> Warning {
+    code.parse().unwrap_or_else(|why| panic!("`{code}`: {why}"))
+}
+
+/// A warning in one line, as Cargo shows them.
+fn line(warning: &Diagnostic, sources: &Sources) -> String {
+    let Diagnostic { code, message, span, .. } = warning;
+    let (line, column) = (span.start.line.max(1), span.start.column.max(1));
+    format!("{}:{line}:{column}: {message} ({code}; `sml check` says more)", sources.path(span.file))
 }
 
 fn folder(variable: &str) -> Result<PathBuf, String> {

@@ -122,7 +122,9 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;
     let controller = session.synthesize(&loaded, &mut solved, level)?.controller;
-    warnings::show(session.warnings(&loaded, &spec), &arguments.warnings.policy(), &loaded, session)?;
+    let policy = arguments.warnings.policy();
+    let warnings = session.warnings_beside(&loaded, &mut solved, &policy)?;
+    warnings::show(warnings, &policy, &loaded, session)?;
     let tables = Tables::new(&spec.name, &controller, provenance(&loaded, &spec));
     let text = session
         .stage("emit", || write(&tables, &controller, &arguments.text.options()))

@@ -29,7 +29,9 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;
     let verified = session.synthesize(&loaded, &mut solved, level)?;
-    warnings::show(session.warnings(&loaded, &spec), &arguments.warnings.policy(), &loaded, session)?;
+    let policy = arguments.warnings.policy();
+    let warnings = session.warnings_beside(&loaded, &mut solved, &policy)?;
+    warnings::show(warnings, &policy, &loaded, session)?;
     let controller = &verified.controller;
     output::product(arguments.output.as_deref(), &to_json(controller))?;
     let rows: usize = controller.environment.iter().map(Vec::len).sum();

@@ -5,7 +5,7 @@
 //! repeats for ever lie in one strongly connected component of that part of the graph. So a goal fails exactly if
 //! such a component, as a whole, accepts every assumption.
 
-use super::{Game, Strategy, acceptance::Acceptance};
+use super::{Game, Strategy, Turn, acceptance::Acceptance};
 
 /// The first goal that some play of the strategy, fair to all assumptions, misses. If `ending`, the last goal, the end of
 /// super steps, must also be met by plays that are not fair.
@@ -28,7 +28,8 @@ pub(super) fn first_missed(
     })
 }
 
-/// Per node of the strategy: the environment has no play from there that is fair to all assumptions.
+/// Per node of the strategy: the environment has no play from there that is fair to all assumptions, nor has the system won
+/// already.
 #[must_use]
 pub fn trapped(game: &Game, strategy: &Strategy) -> Vec<bool> {
     let mut is_assumption = vec![false; game.key_sets.keys() as usize];
@@ -46,7 +47,8 @@ pub fn trapped(game: &Game, strategy: &Strategy) -> Vec<bool> {
                 of[target as usize] != of[node as usize] && !trapped[target as usize]
             })
         };
-        if !component.iter().any(leads_out) && !part.is_fair(component, of) {
+        let is_over = game.turn[strategy.state[component[0] as usize] as usize] == Turn::Won;
+        if !is_over && !component.iter().any(leads_out) && !part.is_fair(component, of) {
             component.iter().for_each(|&node| trapped[node as usize] = true);
         }
         false

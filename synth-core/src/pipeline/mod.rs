@@ -88,6 +88,23 @@ pub fn compile(loaded: &Loaded, options: &Options, timings: &mut Timings) -> Res
     Ok(timings.stage("tables", || Tables::new(&spec.name, &verified.controller, provenance(loaded, &spec))))
 }
 
+/// As [`compile`], with everything that the specification is warned of.
+///
+/// # Errors
+/// See [`Failure`].
+pub fn compile_with_warnings(
+    loaded: &Loaded,
+    options: &Options,
+    timings: &mut Timings,
+) -> Result<(Tables, Vec<Diagnostic>), Failure> {
+    let spec = timings.stage("resolve", || specification(loaded))?;
+    let mut solved = play_and_solve(&spec, options, timings)?;
+    let verified = synthesize(&mut solved, options, timings)?;
+    let warnings = warnings(loaded, &mut solved, timings)?;
+    let tables = || Tables::new(&spec.name, &verified.controller, provenance(loaded, &spec));
+    Ok((timings.stage("tables", tables), warnings))
+}
+
 /// The resolved specification, or everything that is wrong with it, the earliest mistake first.
 ///
 /// # Errors
@@ -167,7 +184,9 @@ pub fn warnings(
     if solution.wins(explored.game.initial) {
         let strategy = timings.stage("extract", || strategy(&explored.game, solution))?;
         // Without one there is no controlled system to speak of, and that is an error of its own.
-        if let Ok(controller) = timings.stage("super steps", || merged(explored, &strategy)) {
+        let alphabet = alphabet(&explored.playout);
+        let merge = || merge(&explored.game, &strategy, &alphabet, &mut |_| Vec::new());
+        if let Ok(controller) = timings.stage("super steps", merge) {
             let controller = timings.stage("minimise", || minimize(&controller, Level::Exact));
             warnings.extend(timings.stage("warnings of control", || {
                 quality::of_controller(explored, &strategy, &controller, &of_game)

@@ -71,6 +71,13 @@ fn environment_messages(
     })
 }
 
+/// Whether an assumption causes an event that is not spontaneous.
+pub(super) fn causes_events(spec: &Spec, scenario: &Scenario) -> bool {
+    spec.non_spontaneous
+        .iter()
+        .any(|&event| environment_messages(spec, scenario, event).any(|(_, causes)| causes))
+}
+
 fn refers(
     spec: &Spec,
     scenario: &Scenario,

@@ -11,6 +11,7 @@
 
 mod causes;
 mod mentions;
+mod needed;
 mod order;
 mod plays;
 mod policy;
@@ -63,6 +64,7 @@ pub fn of_controller(
     warned: &[Diagnostic],
 ) -> Vec<Diagnostic> {
     let mut warnings = vacuous::guarantees(explored, strategy, warned);
+    warnings.extend(needed::unneeded(explored, warned));
     warnings.extend(trapped::environment(explored, strategy));
     warnings.extend(order::differences(explored, strategy, controller));
     sort(&mut warnings);
@@ -73,3 +75,6 @@ pub fn of_controller(
 pub fn sort(warnings: &mut [Diagnostic]) {
     warnings.sort_by_key(|warning| (warning.span.file, warning.span.start, warning.code));
 }
+
+#[cfg(test)]
+mod tests;

@@ -70,7 +70,7 @@ struct Difference {
 fn search(system: &Controlled<'_>) -> (Vec<Found>, Vec<Difference>) {
     let mut differences = Vec::new();
     let mut known: BTreeSet<[(&str, &str); 2]> = BTreeSet::new();
-    let mut pairs = 0;
+    let (mut pairs, mut told) = (0, [Vec::new(), Vec::new()]);
     let initial = Place { state: system.controller.initial, node: 0 };
     let begin = system.settle(initial, &mut Vec::new());
     let mut seen = vec![false; system.controller.states as usize];
@@ -92,7 +92,7 @@ fn search(system: &Controlled<'_>) -> (Vec<Found>, Vec<Difference>) {
                     continue;
                 }
                 pairs += 1;
-                if let Some(how) = system.compare(place, first, second) {
+                if let Some(how) = system.compare(place, first, second, &mut told) {
                     known.insert(kinds);
                     differences.push(Difference { place: next, events: [first, second], how });
                 }
@@ -113,7 +113,11 @@ struct Controlled<'a> {
     due: Vec<Option<&'a SuperStep>>,
     /// Per event of the controller: its label in the game.
     label: Vec<Option<u32>>,
+    /// Per command: the component that is told, or [`NONE`].
+    component: Vec<u32>,
 }
+
+const NONE: u32 = u32::MAX;
 
 impl<'a> Controlled<'a> {
     fn new(explored: &'a Explored<'a>, strategy: &'a Strategy, controller: &'a Controller) -> Self {
@@ -128,7 +132,11 @@ impl<'a> Controlled<'a> {
             due[step.source as usize] = Some(step);
         }
         let label = controller.events.iter().map(|event| explored.playout.find_event(&event.text)).collect();
-        Controlled { explored, strategy, controller, accepted, due, label }
+        let mut component = vec![NONE; controller.commands.len()];
+        for (index, each) in controller.components.iter().enumerate() {
+            each.commands.iter().for_each(|&command| component[command as usize] = index as u32);
+        }
+        Controlled { explored, strategy, controller, accepted, due, label, component }
     }
 
     fn text(&self, event: u32) -> &'a str {
@@ -191,36 +199,36 @@ impl<'a> Controlled<'a> {
         place
     }
 
-    /// Takes two events in this order: where that leads, and what each component is told.
-    fn both(&self, place: Place, first: u32, second: u32) -> Option<(Place, Vec<Vec<u32>>)> {
-        let mut commands = Vec::new();
-        let place = self.take(place, first, &mut commands)?;
-        let place = self.run(place, Some(second), &mut commands);
-        let place = self.take(place, second, &mut commands)?;
-        let place = self.run(place, None, &mut commands);
+    /// Takes two events in this order: where that leads, and what the components are told, one component after the other.
+    fn both(&self, place: Place, first: u32, second: u32, told: &mut Vec<u32>) -> Option<Place> {
+        told.clear();
+        let place = self.take(place, first, told)?;
+        let place = self.run(place, Some(second), told);
+        let place = self.take(place, second, told)?;
+        let place = self.run(place, None, told);
         // Messages within the system are nobody's commands.
-        let components = self.controller.components.iter();
-        let told = components
-            .map(|component| commands.iter().copied().filter(|c| component.commands.contains(c)).collect());
-        Some((place, told.collect()))
+        told.retain(|&command| self.component[command as usize] != NONE);
+        told.sort_by_key(|&command| self.component[command as usize]);
+        Some(place)
     }
 
     /// How the two orders differ, if they do.
-    fn compare(&self, place: Place, first: u32, second: u32) -> Option<String> {
+    fn compare(&self, place: Place, first: u32, second: u32, told: &mut [Vec<u32>; 2]) -> Option<String> {
         let (first_text, second_text) = (self.text(first), self.text(second));
         let only = |one: &str, other: &str| {
             Some(format!("after `{one}` the controller takes `{other}`, but not the other way round"))
         };
-        match (self.both(place, first, second), self.both(place, second, first)) {
+        let [told, others] = told;
+        match (self.both(place, first, second, told), self.both(place, second, first, others)) {
             (None, None) => None,
             (Some(_), None) => only(first_text, second_text),
             (None, Some(_)) => only(second_text, first_text),
-            (Some((_, told)), Some((_, others))) if told != others => Some(format!(
+            (Some(_), Some(_)) if told != others => Some(format!(
                 "with `{first_text}` first the controller orders {}; with `{second_text}` first, {}",
-                self.list(&told),
-                self.list(&others)
+                self.list(told),
+                self.list(others)
             )),
-            (Some((end, _)), Some((other, _))) => {
+            (Some(end), Some(other)) => {
                 let differ =
                     end.state != other.state && self.game_state(end.node) != self.game_state(other.node);
                 differ
@@ -229,8 +237,8 @@ impl<'a> Controlled<'a> {
         }
     }
 
-    fn list(&self, told: &[Vec<u32>]) -> String {
-        let commands = told.iter().flatten().map(|&command| &self.controller.commands[command as usize].text);
+    fn list(&self, told: &[u32]) -> String {
+        let commands = told.iter().map(|&command| &self.controller.commands[command as usize].text);
         let texts: Vec<String> = commands.map(|text| format!("`{text}`")).collect();
         if texts.is_empty() { "nothing".to_owned() } else { texts.join(", ") }
     }

@@ -98,7 +98,7 @@ fn forbids(kind: &NodeKind) -> bool {
 }
 
 /// Whether some fragment behind the initial messages asks for something or forbids it.
-fn demands_anything(scenario: &Scenario) -> bool {
+pub(super) fn demands_anything(scenario: &Scenario) -> bool {
     scenario.nodes.iter().enumerate().any(|(node, each)| match &each.kind {
         NodeKind::Message { strict, modality, .. } => {
             (*strict || modality.is_some()) && !scenario.initial.iter().any(|&n| usize::from(n) == node)
@@ -108,7 +108,7 @@ fn demands_anything(scenario: &Scenario) -> bool {
     })
 }
 
-fn has_violation(scenario: &Scenario) -> bool {
+pub(super) fn has_violation(scenario: &Scenario) -> bool {
     scenario.nodes.iter().any(|node| matches!(node.kind, NodeKind::Violation(_)))
 }
 
