@@ -29,14 +29,20 @@ fn uncaused_event(spec: &Spec, written: &ast::EventRef, event: EventRef) -> Opti
             near.push((scenario, node));
         }
     }
-    // Where no scenario mentions it, it is reported as unused.
+    // Where no scenario mentions it, it is reported as unused; what only the system sends needs no cause.
     let mut scenarios = spec.scenarios.iter();
-    if !scenarios.any(|s| patterns(s).any(|m| refers(spec, s, m.operation, m.receiver, event))) {
+    let is_sent = |s: &Scenario| {
+        patterns(s).any(|m| {
+            players(spec, s, m.sender).any(|sender| !spec.controllable[sender])
+                && refers(spec, s, m.operation, m.receiver, event)
+        })
+    };
+    if !scenarios.any(is_sent) {
         return None;
     }
     let name = format!("{}.{}", written.class.text, written.operation.text);
     let span = written.class.span.to(written.operation.span);
-    let message = format!("no assumption causes `{name}`, so it can never happen");
+    let message = format!("no assumption causes `{name}`, so the environment never sends it");
     let mut warning = Diagnostic::warning(Code::NeverCaused, span, message);
     for &(scenario, node) in &near {
         let text = if scenario.initial.contains(&node) {

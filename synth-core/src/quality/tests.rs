@@ -518,6 +518,22 @@ fn what_is_used_in_one_way_or_another() {
 // 98: an event without a cause.
 
 #[test]
+fn an_event_that_nothing_causes() {
+    check(
+        98,
+        "specification World {
+  domain { class User { } class Ctl { press() done() } class Arm { go() done() } }
+  object user: User object ctl: Ctl object arm: Arm controllable { Ctl }
+  non-spontaneous events { Ctl.done Arm.done }
+                           ~~~~~~~~ no assumption causes `Ctl.done`, so the environment never sends it
+  collaboration C {
+    guarantee scenario G { user -> ctl.press() urgent ctl -> arm.go() arm -> ctl.done() eventually ctl -> arm.done() }
+  }
+}",
+    );
+}
+
+#[test]
 fn a_cause_needs_a_modality_and_a_place_behind_the_beginning() {
     let text = |assumption: &str| {
         world(&format!(
