@@ -149,7 +149,7 @@ impl Session {
         loaded: &Loaded,
         solved: &mut Solved<'_>,
     ) -> Result<Vec<Diagnostic>, Failure> {
-        let warnings = pipeline::warnings(loaded, solved, &mut self.timings);
+        let warnings = pipeline::warnings(loaded, solved, true, &mut self.timings);
         warnings.map_err(|failure| Failure::of(&failure, loaded))
     }
 

@@ -101,7 +101,9 @@ impl Build {
         let shown = path.display().to_string();
         let bytes = read(&package, &shown).map_err(|why| format!("error: {shown} cannot be read: {why}"))?;
         let loaded = load(&shown, &bytes, &mut |path| read(&package, path));
-        let compiled = run(&loaded, &self.options, &mut Timings::default());
+        // To relax each assumption would cost each build time; `sml check` does it.
+        let thorough = self.policy.denies_code(Code::NotNeeded);
+        let compiled = run(&loaded, &self.options, thorough, &mut Timings::default());
         let (tables, mut warnings) = compiled.map_err(|failure| {
             let diagnostics: Vec<Diagnostic> = failure.diagnostics().into_iter().map(advise).collect();
             render(&diagnostics, &loaded.sources, false)

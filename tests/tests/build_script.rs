@@ -135,6 +135,23 @@ impl Package {
     }
 }
 
+#[test]
+fn warnings_of_the_specification_are_shown() -> io::Result<()> {
+    let package = Package::with_script("build_script_warnings", COMPILE)?;
+    package.edit("specs/cell.sml", "  collaboration", "  domain { class Spare { } }\n  collaboration");
+    let (success, out, err) = package.run();
+    assert!(success && !out.is_empty(), "{err}");
+    let warning = "specs/cell.sml:3:18: class `Spare` is never used (SML0097; `sml check` says more)";
+    assert!(err.contains(warning), "{err}");
+    let denying = "synth_core::build::Build::new().deny(\"SML0097\").compile(\"specs/cell.sml\");";
+    package.edit("build.rs", COMPILE, denying);
+    package.check_failure(&["class `Spare` is never used", "this warning is denied"]);
+    package.edit("build.rs", ".deny(\"SML0097\")", ".deny_warnings().allow(\"SML0097\")");
+    let (success, _, err) = package.run();
+    assert!(success && !err.contains("Spare"), "{err}");
+    Ok(())
+}
+
 const COMPILE: &str = "synth_core::build::compile(\"specs/cell.sml\");";
 
 #[test]

@@ -8,3 +8,4 @@ mod play;
 mod products;
 mod stimulus;
 mod support;
+mod warnings;

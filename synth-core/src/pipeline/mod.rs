@@ -88,19 +88,20 @@ pub fn compile(loaded: &Loaded, options: &Options, timings: &mut Timings) -> Res
     Ok(timings.stage("tables", || Tables::new(&spec.name, &verified.controller, provenance(loaded, &spec))))
 }
 
-/// As [`compile`], with everything that the specification is warned of.
+/// As [`compile`], with everything that the specification is warned of; `thorough` as for [`warnings`].
 ///
 /// # Errors
 /// See [`Failure`].
 pub fn compile_with_warnings(
     loaded: &Loaded,
     options: &Options,
+    thorough: bool,
     timings: &mut Timings,
 ) -> Result<(Tables, Vec<Diagnostic>), Failure> {
     let spec = timings.stage("resolve", || specification(loaded))?;
     let mut solved = play_and_solve(&spec, options, timings)?;
     let verified = synthesize(&mut solved, options, timings)?;
-    let warnings = warnings(loaded, &mut solved, timings)?;
+    let warnings = warnings(loaded, &mut solved, thorough, timings)?;
     let tables = || Tables::new(&spec.name, &verified.controller, provenance(loaded, &spec));
     Ok((timings.stage("tables", tables), warnings))
 }
@@ -169,13 +170,14 @@ pub fn synthesize(
 }
 
 /// Everything that a specification is warned of, in the order of places. With plays: what exploration shows, and if
-/// it is realizable, what a strategy shows.
+/// it is realizable, what a strategy shows. If `thorough`, assumptions are relaxed, too, to see whether they are needed.
 ///
 /// # Errors
 /// The solver contradicts itself.
 pub fn warnings(
     loaded: &Loaded,
     solved: &mut Solved<'_>,
+    thorough: bool,
     timings: &mut Timings,
 ) -> Result<Vec<Diagnostic>, Failure> {
     let mut warnings = quality::of_text(loaded, solved.explored.playout.spec());
@@ -191,6 +193,10 @@ pub fn warnings(
             warnings.extend(timings.stage("warnings of control", || {
                 quality::of_controller(explored, &strategy, &controller, &of_game)
             }));
+        }
+        if thorough {
+            let relaxed = || quality::of_assumptions(explored, &of_game);
+            warnings.extend(timings.stage("relax assumptions", relaxed));
         }
     }
     warnings.extend(of_game);

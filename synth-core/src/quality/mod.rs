@@ -1,10 +1,11 @@
 //! What is worth a look in a specification that is not wrong: warnings, each with its place.
 //!
-//! Three groups, by what they need to know. None of them changes a verdict or a product.
+//! Four groups, by what they need to know. None of them changes a verdict or a product.
 //!
 //! * [`of_text`]: the specification alone. Costs nothing, so every command shows them.
 //! * [`of_game`]: all plays of the explored specification.
 //! * [`of_controller`]: the plays that a winning strategy leaves.
+//! * [`of_assumptions`]: what would be if some scenario were relaxed.
 //!
 //! A warning that is wrong does more harm than one that is missing: each of these says what is true of the specification
 //! at hand, and where that takes a play to see, shows a shortest one.
@@ -64,11 +65,18 @@ pub fn of_controller(
     warned: &[Diagnostic],
 ) -> Vec<Diagnostic> {
     let mut warnings = vacuous::guarantees(explored, strategy, warned);
-    warnings.extend(needed::unneeded(explored, warned));
     warnings.extend(trapped::environment(explored, strategy));
     warnings.extend(order::differences(explored, strategy, controller));
     sort(&mut warnings);
     warnings
+}
+
+/// Warnings about assumptions that a realizable specification does not need. `warned` is what [`of_game`] gave.
+///
+/// Explores and solves once more for each assumption; nothing is said of a specification for which that is too much.
+#[must_use]
+pub fn of_assumptions(explored: &Explored<'_>, warned: &[Diagnostic]) -> Vec<Diagnostic> {
+    needed::unneeded(explored, warned)
 }
 
 /// Into the order of their places.

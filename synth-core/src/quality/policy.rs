@@ -33,6 +33,12 @@ impl Policy {
         self
     }
 
+    /// Whether warnings of this code are denied.
+    #[must_use]
+    pub fn denies_code(&self, code: Code) -> bool {
+        !self.allowed.contains(&code) && (self.all_denied || self.denied.contains(&code))
+    }
+
     /// Whether something is denied that takes more than the text to see.
     #[must_use]
     pub fn denies_plays(&self) -> bool {
@@ -50,10 +56,7 @@ impl Policy {
     /// Whether a diagnostic is a warning that is denied.
     #[must_use]
     pub fn denies(&self, diagnostic: &Diagnostic) -> bool {
-        let Diagnostic { code, severity, .. } = diagnostic;
-        *severity == Severity::Warning
-            && !self.allowed.contains(code)
-            && (self.all_denied || self.denied.contains(code))
+        diagnostic.severity == Severity::Warning && self.denies_code(diagnostic.code)
     }
 }
 

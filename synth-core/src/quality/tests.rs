@@ -12,7 +12,7 @@ fn diagnostics_of(text: &str, semantics: Semantics) -> Vec<Diagnostic> {
     let options = Options { semantics, ..Options::default() };
     let mut timings = Timings::default();
     let mut solved = play_and_solve(&spec, &options, &mut timings).expect("a game");
-    warnings(&loaded, &mut solved, &mut timings).expect("warnings")
+    warnings(&loaded, &mut solved, true, &mut timings).expect("warnings")
 }
 
 /// The text without the lines that mark the line above with `~~~~`; line, column, width and words of each mark, in the

@@ -297,7 +297,7 @@ fn variables_of<'a>(body: &'a ast::Body, names: &mut Vec<&'a Name>) {
             FragmentKind::Body(body) | FragmentKind::While(_, body) => variables_of(body, names),
             FragmentKind::Alternative(cases) => cases.iter().for_each(|case| variables_of(&case.body, names)),
             FragmentKind::Parallel(branches) => {
-                branches.iter().for_each(|branch| variables_of(branch, names))
+                branches.iter().for_each(|branch| variables_of(branch, names));
             }
             FragmentKind::Message(..)
             | FragmentKind::Wait { .. }
