@@ -55,7 +55,10 @@ struct Scenario<'a> {
 #[derive(Serialize)]
 struct Because<'a> {
     cause: &'a str,
+    /// The core.
     scenarios: &'a [String],
+    minimal: bool,
+    involved: &'a [String],
     play: &'a [String],
     r#loop: &'a [String],
 }
@@ -136,8 +139,8 @@ fn scenario(existential: &Existential) -> Scenario<'_> {
 }
 
 fn because(explanation: &Explanation) -> Because<'_> {
-    let Explanation { cause, scenarios, play, cycle, .. } = explanation;
-    Because { cause: cause.as_str(), scenarios, play, r#loop: cycle }
+    let Explanation { cause, scenarios, is_minimal, involved, play, cycle, .. } = explanation;
+    Because { cause: cause.as_str(), scenarios, minimal: *is_minimal, involved, play, r#loop: cycle }
 }
 
 /// The diagnostics hold the explanation, too.

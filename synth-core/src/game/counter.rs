@@ -64,6 +64,13 @@ pub fn counter_play(game: &Game, solution: &Solution) -> Option<CounterPlay> {
     Some(walk.run())
 }
 
+/// Whether the system wins from the initial state: what [`solve`](super::solve) says of it, without the rest, and found out as
+/// soon as the initial state is lost.
+#[must_use]
+pub fn wins(game: &Game) -> bool {
+    can_meet(game, &game.guarantees)
+}
+
 /// Whether the system would win from the initial state if these keys of guarantees were its only goals, beside never
 /// losing the game and ending every super step.
 #[must_use]

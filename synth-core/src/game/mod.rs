@@ -13,7 +13,7 @@ mod region;
 mod solve;
 mod strategy;
 
-pub use counter::{CounterPlay, Loss, can_meet, counter_play};
+pub use counter::{CounterPlay, Loss, can_meet, counter_play, wins};
 pub use extract::{ExtractError, extract};
 pub use keysets::{KeySets, KeySetsBuilder};
 pub use solve::{Solution, solve, solve_ending};
