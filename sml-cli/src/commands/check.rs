@@ -61,6 +61,7 @@ struct Because<'a> {
     involved: &'a [String],
     play: &'a [String],
     r#loop: &'a [String],
+    suggestions: Vec<&'a str>,
 }
 
 /// All that there is to say.
@@ -140,7 +141,16 @@ fn scenario(existential: &Existential) -> Scenario<'_> {
 
 fn because(explanation: &Explanation) -> Because<'_> {
     let Explanation { cause, scenarios, is_minimal, involved, play, cycle, .. } = explanation;
-    Because { cause: cause.as_str(), scenarios, minimal: *is_minimal, involved, play, r#loop: cycle }
+    let suggestions = explanation.suggestions.iter().map(|suggestion| suggestion.text.as_str()).collect();
+    Because {
+        cause: cause.as_str(),
+        scenarios,
+        minimal: *is_minimal,
+        involved,
+        play,
+        r#loop: cycle,
+        suggestions,
+    }
 }
 
 /// The diagnostics hold the explanation, too.

@@ -6,6 +6,7 @@
 
 mod core;
 mod probe;
+mod suggest;
 
 use self::core::Core;
 use crate::diagnostic::{Code, Diagnostic};
@@ -16,6 +17,8 @@ use crate::playout::{Config, Key, KeyId, Moves, Playout, Step};
 use crate::syntax::Span;
 pub use probe::{Budget, Prober, Scenarios};
 use std::collections::BTreeSet;
+pub use suggest::Suggestion;
+use suggest::{Basis, suggest};
 
 /// What is at the bottom of it; the first that applies.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -88,6 +91,8 @@ pub struct Explanation {
     pub starved: Option<Starved>,
     /// Events of the system that would help but are not allowed where the play ends, in the order of their texts.
     pub blocked: Vec<Blocked>,
+    /// Assumptions with any one of which the specification is realizable, one of each shape that was found to help.
+    pub suggestions: Vec<Suggestion>,
     /// The place of the message or `wait` that starves, else the name of the first scenario that is violated.
     pub place: Span,
 }
@@ -121,7 +126,18 @@ impl Explanation {
             let cycle = self.cycle.join("\n  ");
             diagnostic = diagnostic.note(format!("{when}, for ever:\n  {cycle}"));
         }
-        diagnostic.help(match self.cause {
+        diagnostic.help(match self.suggestions.as_slice() {
+            [] => self.help().to_owned(),
+            some => {
+                let texts: Vec<String> = some.iter().map(Suggestion::as_edit).collect();
+                texts.join("\nor ")
+            }
+        })
+    }
+
+    /// What to do if no suggestion was found.
+    fn help(&self) -> &'static str {
+        match self.cause {
             Cause::EnvironmentViolates => {
                 "add the assumption that rules the last event out, or relax the guarantee"
             }
@@ -135,7 +151,7 @@ impl Explanation {
             Cause::ObligationStarved => {
                 "add the assumption about the environment that is missing, or relax the guarantee"
             }
-        })
+        }
     }
 
     /// Adds the core and what else is involved.
@@ -173,7 +189,8 @@ pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
     let spec = solved.explored.playout.spec();
     let mut replay = Replay::new(solved)?;
     let texts = |edges: &[u32]| edges.iter().map(|&edge| text(solved, edge)).collect::<Vec<_>>();
-    let (play, mut cycle) = (texts(&play), texts(&cycle));
+    let (play_edges, cycle_edges) = (play, cycle);
+    let (play, mut cycle) = (texts(&play_edges), texts(&cycle_edges));
     let findings = match loss {
         Loss::Violation => {
             let (last, before) = play.split_last()?;
@@ -202,7 +219,19 @@ pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
     let (mut scenarios, involved): (Vec<usize>, Vec<usize>) =
         involved.partition(|scenario| core.scenarios.contains(scenario));
     scenarios.extend(core.scenarios.iter().filter(|scenario| !seen.contains(scenario)));
-    let first = spec.scenarios.get(*findings.scenarios.first()?)?.span;
+    let first = *findings.scenarios.first()?;
+    // The core first, but what the play violates even before that.
+    let mut speaking = vec![first];
+    speaking.extend(scenarios.iter().chain(&involved).filter(|&&scenario| scenario != first));
+    let basis = Basis {
+        solved,
+        loss,
+        play: &play_edges,
+        cycle: &cycle_edges,
+        starved: findings.starved.as_ref(),
+        scenarios: &speaking,
+    };
+    let suggestions = suggest(&basis, prober.budget());
     let starved = findings.starved.map(|key| Starved {
         scenario: name(&key.scenario),
         fragment: spec.scenarios[key.scenario].nodes[usize::from(key.node)].span,
@@ -215,7 +244,8 @@ pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
         involved: involved.iter().map(name).collect(),
         play,
         cycle,
-        place: starved.as_ref().map_or(first, |starved| starved.fragment),
+        place: starved.as_ref().map_or(spec.scenarios[first].span, |starved| starved.fragment),
+        suggestions,
         starved,
         blocked: findings.blocked.into_iter().collect(),
     })

@@ -64,6 +64,12 @@ impl<'s> Prober<'s> {
         self.playout.spec()
     }
 
+    /// What is left of the budget.
+    #[must_use]
+    pub fn budget(&self) -> Budget {
+        self.budget
+    }
+
     /// Tells what is known from elsewhere: whether the specification is realizable as it is.
     #[must_use]
     pub fn knowing(mut self, realizable: bool) -> Self {

@@ -35,6 +35,13 @@ impl Acceptance {
         goals
     }
 
+    /// A goal that is never accepted.
+    pub(super) fn never(game: &Game) -> Acceptance {
+        let mut open = FixedBitSet::with_capacity(game.states());
+        open.insert_range(..);
+        Acceptance { open, discharging: vec![false; game.key_sets.len()] }
+    }
+
     fn of_keys(game: &Game, keys: &[u32]) -> Vec<Acceptance> {
         let of_key = |&key: &u32| {
             let containing = game.key_sets.containing(key);

@@ -10,12 +10,14 @@ mod keysets;
 mod predecessors;
 mod pursuit;
 mod region;
+mod separation;
 mod solve;
 mod strategy;
 
 pub use counter::{CounterPlay, Loss, can_meet, counter_play, wins};
 pub use extract::{ExtractError, extract};
 pub use keysets::{KeySets, KeySetsBuilder};
+pub use separation::overpowered;
 pub use solve::{Solution, solve, solve_ending};
 pub use strategy::Strategy;
 
