@@ -4,6 +4,7 @@
 
 mod acceptance;
 mod counter;
+mod counter_strategy;
 mod extract;
 mod fairness;
 mod keysets;
@@ -15,6 +16,7 @@ mod solve;
 mod strategy;
 
 pub use counter::{CounterPlay, Loss, can_meet, counter_play, wins};
+pub use counter_strategy::{CounterStrategy, Standing};
 pub use extract::{ExtractError, extract};
 pub use keysets::{KeySets, KeySetsBuilder};
 pub use separation::overpowered;

@@ -18,7 +18,9 @@ mod memo;
 mod offers;
 mod pattern;
 mod react;
+mod reasons;
 mod relax;
+mod show;
 mod step;
 mod turn;
 
@@ -29,6 +31,9 @@ pub(crate) use copies::variables_read;
 pub use copies::{Copy, CopyId};
 pub use events::{Event, EventId};
 pub use keys::{Key, KeyId};
+pub use reasons::{Ground, Objection, Reasons, Stake, turn_reason};
+#[cfg(feature = "json")]
+pub(crate) use show::bound_name;
 pub use step::Step;
 pub use turn::{Goal, Move, Moves};
 
