@@ -1,9 +1,11 @@
 //! `sml check`: verdict, figures, warnings, and why a specification is not realizable.
 
+mod steps;
+
 use crate::failure::{Exit, Failure};
 use crate::options::Format;
-use crate::output;
 use crate::session::Session;
+use crate::{input, output};
 use serde::Serialize;
 use serde_json::Value as Json;
 use std::path::PathBuf;
@@ -13,7 +15,7 @@ use synth_core::existential::Existential;
 use synth_core::explain::{Explanation, explain};
 use synth_core::model::{Kind, Spec};
 use synth_core::pipeline::{Figures, Solved};
-use synth_core::syntax::Loaded;
+use synth_core::syntax::{Loaded, Sources};
 
 /// Arguments of `sml check`.
 #[derive(Debug, clap::Args)]
@@ -23,6 +25,9 @@ pub(crate) struct Arguments {
     /// Fail if there is a warning
     #[arg(long)]
     deny_warnings: bool,
+    /// If the specification is unrealizable: write the play that shows it as a Mermaid sequence diagram, `-` is stdout
+    #[arg(long, value_name = "OUT")]
+    sequence: Option<PathBuf>,
 }
 
 #[derive(Serialize)]
@@ -62,6 +67,7 @@ struct Because<'a> {
     play: &'a [String],
     r#loop: &'a [String],
     suggestions: Vec<&'a str>,
+    steps: Vec<steps::Step<'a>>,
 }
 
 /// All that there is to say.
@@ -73,14 +79,26 @@ struct Report {
 }
 
 pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
+    let drawing = arguments.sequence.as_deref();
+    let drawn_to_stdout = drawing.is_some_and(input::is_stdin);
+    if drawn_to_stdout && session.format() == Format::Json {
+        return Err(Failure::usage("`--sequence -` and `--format json` cannot both go to stdout"));
+    }
+    output::refuse_input(drawing, &arguments.file)?;
     let loaded = session.load(&arguments.file)?;
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;
     let report = examine(&loaded, &spec, &mut solved, session)?;
-    output::print(&match session.format() {
-        Format::Json => json(&report, &loaded),
-        Format::Text => text(&report, &spec, &loaded, session.color(&std::io::stdout())),
-    })?;
+    if let Some(path) = drawing {
+        steps::draw(path, report.explanation.as_ref(), &loaded)?;
+    }
+    match session.format() {
+        Format::Json => output::print(&json(&report, &loaded))?,
+        Format::Text if drawn_to_stdout => {
+            output::note(text(&report, &spec, &loaded, session.color(&std::io::stderr())).trim_end());
+        }
+        Format::Text => output::print(&text(&report, &spec, &loaded, session.color(&std::io::stdout())))?,
+    }
     let denied =
         arguments.deny_warnings && report.diagnostics.iter().any(|d| d.severity == Severity::Warning);
     Ok(if report.figures.realizable && !denied { Exit::Done } else { Exit::No })
@@ -93,7 +111,9 @@ fn examine(
     session: &mut Session,
 ) -> Result<Report, Failure> {
     let explanation = session.stage("explain", || explain(solved));
-    let mut diagnostics: Vec<Diagnostic> = explanation.iter().map(Explanation::diagnostic).collect();
+    let place = |span| loaded.sources.place(span);
+    let mut diagnostics: Vec<Diagnostic> =
+        explanation.iter().map(|explanation| explanation.diagnostic_with(&place)).collect();
     let existential = if spec.scenarios.iter().any(|scenario| scenario.kind == Kind::Existential) {
         let controller = if explanation.is_none() {
             match session.synthesize(loaded, solved, Level::default()) {
@@ -129,7 +149,7 @@ fn json(report: &Report, loaded: &Loaded) -> String {
         guarantee_sets: figures.guarantee_sets,
         existential: existential.iter().map(scenario).collect(),
         diagnostics: to_json(diagnostics, &loaded.sources),
-        explanation: explanation.as_ref().map(because),
+        explanation: explanation.as_ref().map(|explanation| because(explanation, &loaded.sources)),
     };
     format!("{}\n", serde_json::to_string(&document).expect("strings and numbers always serialize"))
 }
@@ -139,7 +159,7 @@ fn scenario(existential: &Existential) -> Scenario<'_> {
     Scenario { scenario, reachable: *reachable, possible: *possible, witness }
 }
 
-fn because(explanation: &Explanation) -> Because<'_> {
+fn because<'a>(explanation: &'a Explanation, sources: &'a Sources) -> Because<'a> {
     let Explanation { cause, scenarios, is_minimal, involved, play, cycle, .. } = explanation;
     let suggestions = explanation.suggestions.iter().map(|suggestion| suggestion.text.as_str()).collect();
     Because {
@@ -150,6 +170,7 @@ fn because(explanation: &Explanation) -> Because<'_> {
         play,
         r#loop: cycle,
         suggestions,
+        steps: steps::steps(explanation, sources),
     }
 }
 

@@ -6,7 +6,15 @@
 
 mod core;
 mod probe;
+mod sequence;
+mod steps;
 mod suggest;
+
+pub use probe::{Budget, Prober, Scenarios};
+pub use sequence::sequence;
+pub use steps::{Mention, PlayStep, Refusal, refusal};
+pub use suggest::Suggestion;
+use suggest::{Basis, suggest};
 
 use self::core::Core;
 use crate::diagnostic::{Code, Diagnostic};
@@ -14,11 +22,8 @@ use crate::game::{CounterPlay, Loss, YIELD, can_meet, counter_play};
 use crate::model::{Kind, Spec};
 use crate::pipeline::Solved;
 use crate::playout::{Config, Key, KeyId, Moves, Playout, Step};
-use crate::syntax::Span;
-pub use probe::{Budget, Prober, Scenarios};
+use crate::syntax::{FileId, Span};
 use std::collections::BTreeSet;
-pub use suggest::Suggestion;
-use suggest::{Basis, suggest};
 
 /// What is at the bottom of it; the first that applies.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -87,6 +92,8 @@ pub struct Explanation {
     /// What is then repeated for ever; the single text `silence` if nothing happens any more. Empty if a guarantee is
     /// violated at the end of `play`.
     pub cycle: Vec<String>,
+    /// Every step of `play` and `cycle`, and what the scenarios have to do with it.
+    pub steps: Vec<PlayStep>,
     /// The obligation that is not met in the loop; `None` if a guarantee is violated, or a super step never ends.
     pub starved: Option<Starved>,
     /// Events of the system that would help but are not allowed where the play ends, in the order of their texts.
@@ -101,6 +108,20 @@ impl Explanation {
     /// As a message to the author.
     #[must_use]
     pub fn diagnostic(&self) -> Diagnostic {
+        self.diagnostic_with(&|span| match span.file {
+            FileId(0) => format!("line {}", span.start.line),
+            _ => format!("line {} of an imported file", span.start.line),
+        })
+    }
+
+    /// As a message to the author that shows the places of the play's annotations in this way.
+    #[must_use]
+    pub fn diagnostic_with(&self, place: &dyn Fn(Span) -> String) -> Diagnostic {
+        let width = self.steps.iter().map(|step| step.event.chars().count()).max().unwrap_or(0);
+        let steps = |in_loop: bool| {
+            let steps = self.steps.iter().filter(|step| step.in_loop == in_loop);
+            steps.flat_map(|step| steps::lines(step, width, place)).collect::<Vec<_>>().join("\n  ")
+        };
         let label = match (self.cause, &self.starved) {
             (Cause::EnvironmentViolates, _) => "the environment can violate this",
             (Cause::UrgentBlocked, _) => "this must be sent, and is blocked for ever",
@@ -118,12 +139,12 @@ impl Explanation {
         }
         diagnostic = self.point_at_core(diagnostic);
         if !self.play.is_empty() {
-            let play = self.play.join("\n  ");
+            let play = steps(false);
             diagnostic = diagnostic.note(format!("the environment can force this play:\n  {play}"));
         }
         if !self.cycle.is_empty() {
             let when = if self.play.is_empty() { "from the start" } else { "and then" };
-            let cycle = self.cycle.join("\n  ");
+            let cycle = steps(true);
             diagnostic = diagnostic.note(format!("{when}, for ever:\n  {cycle}"));
         }
         diagnostic.help(match self.suggestions.as_slice() {
@@ -236,6 +257,7 @@ pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
         scenario: name(&key.scenario),
         fragment: spec.scenarios[key.scenario].nodes[usize::from(key.node)].span,
     });
+    let steps = steps::annotate(solved, &play, &cycle)?;
     Some(Explanation {
         cause,
         scenarios: scenarios.iter().map(name).collect(),
@@ -244,6 +266,7 @@ pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
         involved: involved.iter().map(name).collect(),
         play,
         cycle,
+        steps,
         place: starved.as_ref().map_or(spec.scenarios[first].span, |starved| starved.fragment),
         suggestions,
         starved,

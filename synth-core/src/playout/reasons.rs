@@ -140,16 +140,17 @@ impl Playout<'_> {
     }
 }
 
-/// Why somebody has the turn (language reference, section 4).
+/// Why somebody has the turn (language reference, section 4), in a state in which the system has `yielded` or not.
 #[must_use]
-pub fn turn_reason(turn: Turn) -> &'static str {
+pub fn turn_reason(turn: Turn, yielded: bool) -> &'static str {
     match turn {
         Turn::SystemCommitted => "a `committed` message of the system can be sent",
         Turn::EnvironmentCommitted => "an assumption says that a `committed` message comes now",
         Turn::SystemUrgent => "an `urgent` or `requested` message of the system can be sent",
         Turn::EnvironmentUrgent => "an assumption says that an `urgent` or `requested` message comes now",
         Turn::SystemEventually => "an `eventually` message of the system can be sent, or the system yields",
-        Turn::EnvironmentAny => "the system has nothing to send, or has yielded",
+        Turn::EnvironmentAny if yielded => "the system has yielded",
+        Turn::EnvironmentAny => "the system has nothing to send",
         Turn::Lost => "the environment has violated a guarantee",
         Turn::Won => "the system has violated an assumption",
     }
