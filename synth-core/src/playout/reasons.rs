@@ -92,7 +92,7 @@ impl Playout<'_> {
         let (objections, starts) = self.breaches(config, event);
         let unlinked = !self.is_linked(config, event);
         let mut reasons = Reasons { objections, starts, unlinked, ..Reasons::default() };
-        for &id in &config.copies {
+        for id in self.in_text_order(&config.copies) {
             self.stakes(config, event, id, &mut reasons);
         }
         reasons

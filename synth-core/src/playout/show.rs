@@ -1,6 +1,6 @@
 //! States and copies in words.
 
-use super::{CopyId, Playout, ValuationId};
+use super::{Copy, CopyId, Playout, ValuationId};
 use crate::model::{Scenario, Spec, Type, UNSET, Value};
 
 /// `Collaboration.Scenario[role=object,…]`, with the roles that are bound, by their names.
@@ -14,6 +14,20 @@ pub(crate) fn bound_name(spec: &Spec, scenario: &Scenario, roles: &[Value]) -> S
 }
 
 impl Playout<'_> {
+    /// Copies in the order of the text: by scenario, binding, variables and cut, whatever was played before.
+    #[must_use]
+    pub fn in_text_order(&self, copies: &[CopyId]) -> Vec<CopyId> {
+        let mut copies = copies.to_vec();
+        copies.sort_by(|&a, &b| {
+            let key = |copy| {
+                let Copy { scenario, roles, variables, cut, .. } = self.copies.get(copy);
+                (scenario, roles, variables, cut)
+            };
+            key(a).cmp(&key(b))
+        });
+        copies
+    }
+
     /// `Collaboration.Scenario[role=object,…]`.
     #[must_use]
     pub fn copy_name(&self, copy: CopyId) -> String {

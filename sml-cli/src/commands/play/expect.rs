@@ -86,7 +86,7 @@ impl Expectation {
             What::Active(scenario, roles) => {
                 let playout = player.playout();
                 let found: Vec<String> =
-                    player.copies().iter().map(|&copy| playout.copy_name(copy)).collect();
+                    player.copies().into_iter().map(|copy| playout.copy_name(copy)).collect();
                 let fitting: Vec<String> =
                     found.iter().filter(|name| fits(name, scenario, roles)).cloned().collect();
                 let bound = if roles.is_empty() { String::new() } else { format!("[{}]", roles.join(",")) };

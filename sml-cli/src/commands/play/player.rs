@@ -141,8 +141,8 @@ impl<'s> Player<'s> {
     }
 
     /// The active copies; existential scenarios are not followed.
-    pub(super) fn copies(&self) -> &[CopyId] {
-        &self.config.copies
+    pub(super) fn copies(&self) -> Vec<CopyId> {
+        self.playout.in_text_order(&self.config.copies)
     }
 
     /// To ask about copies.

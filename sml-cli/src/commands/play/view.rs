@@ -137,7 +137,7 @@ fn explained(mention: &Mention, sources: &Sources) -> String {
 /// Every active copy with its cut marked in the source.
 fn copies(player: &Player<'_>, sources: &Sources) -> String {
     let mut text = String::new();
-    for &copy in player.copies() {
+    for copy in player.copies() {
         if text.is_empty() {
             text.push_str("active:\n");
         }
@@ -205,7 +205,7 @@ pub(super) fn state_json(table: &mut Table<'_>) -> String {
     let choices: Vec<Json> = table.player.choices().iter().map(|one| choice_json(one, sources)).collect();
     let player = &table.player;
     let turn = player.turn();
-    let copy = |&copy: &CopyId| {
+    let copy = |copy: CopyId| {
         let places = cut(player, copy).into_iter().map(|span| place_json(span, sources));
         let variables = player.playout().variables(copy).into_iter();
         json!({
@@ -221,7 +221,7 @@ pub(super) fn state_json(table: &mut Table<'_>) -> String {
         "case": turn.map(|turn| turn as u8),
         "enabled": player.enabled(),
         "choices": choices,
-        "copies": player.copies().iter().map(copy).collect::<Vec<_>>(),
+        "copies": player.copies().into_iter().map(copy).collect::<Vec<_>>(),
         "attributes": attributes,
     });
     format!("{state}\n")
