@@ -12,3 +12,4 @@ mod play_script;
 mod products;
 mod stimulus;
 mod support;
+mod transcripts;
