@@ -155,3 +155,152 @@ pub fn turn_reason(turn: Turn, yielded: bool) -> &'static str {
         Turn::Won => "the system has violated an assumption",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Spec;
+    use crate::pipeline::specification;
+    use crate::playout::{Moves, Semantics};
+    use crate::syntax::load;
+
+    const WORLD: &str = "specification World {
+  domain d {
+    class User { }
+    class Control { on: bool  press() release() }
+    class Lamp { on() off() set(n: 0..=1) }
+  }
+  object user: User  object control: Control  object lamp: Lamp
+  controllable { Control }
+  effects { user -> control.press() { control.on = true } }
+  collaboration C {
+BODY
+  }
+}";
+
+    fn spec(body: &str) -> Spec {
+        let text = WORLD.replace("BODY", body);
+        let loaded = load("world.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
+        specification(&loaded).expect("a specification")
+    }
+
+    /// What an event has to do with the scenarios, in the state after a play: one line each, with the source text of
+    /// the place.
+    #[track_caller]
+    fn check(body: &str, play: &[&str], event: &str, expect: &str) {
+        let spec = spec(body);
+        let mut playout = Playout::new(&spec, Semantics::default()).expect("a play-out");
+        let mut config = playout.initial().expect("an initial state");
+        let mut moves = Moves::default();
+        for text in play {
+            playout.moves(&config, &mut moves).expect("moves");
+            let is_it = |event: Option<EventId>| event.is_some_and(|id| playout.event(id).text == *text);
+            let found = moves.moves.iter().find(|one| is_it(one.event));
+            config = found.unwrap_or_else(|| panic!("`{text}` cannot happen")).config.clone();
+        }
+        playout.wanted(&config);
+        let event = playout.find_event(event).expect("an event");
+        let reasons = playout.reasons(&config, event);
+        let source = |span: Span| {
+            let line = body.lines().nth(span.start.line as usize - 11).expect("a line of the body");
+            let (start, end) = (span.start.column as usize - 1, span.end.column as usize - 1);
+            line.chars().take(end).skip(start).collect::<String>()
+        };
+        let mut lines = Vec::new();
+        for (what, stakes) in [("wanted", &reasons.wanted_by), ("awaited", &reasons.awaited_by)] {
+            let line = |stake: &Stake| {
+                format!("{what} by {}: {}", playout.copy_name(stake.copy), source(stake.span))
+            };
+            lines.extend(stakes.iter().map(line));
+        }
+        lines.extend(reasons.starts.iter().map(|&copy| format!("starts {}", playout.copy_name(copy))));
+        for objection in &reasons.objections {
+            let refuses = playout.refusals(event, &reasons).any(|one| one == objection);
+            let (ground, name) = (objection.ground, &spec.scenarios[objection.scenario].name);
+            let verb = if refuses { "refused" } else { "violates" };
+            lines.push(format!("{verb} {name}, {}: {}", ground.describe(), source(ground.span())));
+        }
+        assert_eq!(lines.join("\n"), expect);
+    }
+
+    #[test]
+    fn a_modality_wants_and_its_absence_waits() {
+        check(
+            "guarantee scenario G { user -> control.press() urgent control -> lamp.on() }\n\
+             guarantee scenario H { user -> control.press() control -> lamp.on() control -> lamp.off() }\n\
+             guarantee scenario M { user -> control.press() monitored urgent control -> lamp.on() }",
+            &["user -> control.press()"],
+            "control -> lamp.on()",
+            "wanted by C.G: urgent control -> lamp.on()\n\
+             awaited by C.H: control -> lamp.on()\n\
+             awaited by C.M: monitored urgent control -> lamp.on()",
+        );
+    }
+
+    #[test]
+    fn an_assumption_causes_also_what_is_monitored() {
+        check(
+            "guarantee scenario G { user -> control.press() eventually user -> control.release() }\n\
+             assumption scenario A { user -> control.press() monitored eventually user -> control.release() }",
+            &["user -> control.press()"],
+            "user -> control.release()",
+            "wanted by C.A: monitored eventually user -> control.release()\n\
+             awaited by C.G: eventually user -> control.release()",
+        );
+    }
+
+    #[test]
+    fn a_forbidden_message_refuses() {
+        check(
+            "guarantee scenario G { user -> control.press() urgent control -> lamp.set(1) }\n\
+             guarantee scenario F { user -> control.press() user -> control.release() } constraints [ forbidden control -> lamp.set(*) ]",
+            &["user -> control.press()"],
+            "control -> lamp.set(1)",
+            "wanted by C.G: urgent control -> lamp.set(1)\n\
+             refused C.F, forbidden here: control -> lamp.set(*)",
+        );
+    }
+
+    #[test]
+    fn a_strict_message_is_due_first() {
+        check(
+            "guarantee scenario G { user -> control.press() urgent control -> lamp.off() }\n\
+             assumption scenario A { user -> control.press() strict control -> lamp.on() control -> lamp.off() }",
+            &["user -> control.press()"],
+            "control -> lamp.off()",
+            "wanted by C.G: urgent control -> lamp.off()\n\
+             refused C.A, this is due first: strict control -> lamp.on()",
+        );
+    }
+
+    #[test]
+    fn a_condition_comes_true_in_a_copy_that_the_event_starts() {
+        check(
+            "guarantee scenario G { user -> control.press() violation [control.on] }",
+            &[],
+            "user -> control.press()",
+            "violates C.G, this comes true: violation [control.on]",
+        );
+    }
+
+    #[test]
+    fn a_copy_that_waits_is_started() {
+        check(
+            "guarantee scenario G { user -> control.press() user -> control.release() }\n\
+             guarantee scenario Over { user -> control.press() wait [control.on] }",
+            &[],
+            "user -> control.press()",
+            "starts C.G",
+        );
+    }
+
+    #[test]
+    fn the_environment_may_violate_a_guarantee() {
+        check(
+            "guarantee scenario G { user -> control.press() strict user -> control.release() }",
+            &["user -> control.press()"],
+            "user -> control.press()",
+            "starts C.G\nviolates C.G, this is due first: strict user -> control.release()",
+        );
+    }
+}

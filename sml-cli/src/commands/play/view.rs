@@ -256,3 +256,42 @@ fn choice_json(choice: &Choice, sources: &Sources) -> Json {
 fn place_json(span: Span, sources: &Sources) -> Json {
     json!({ "file": sources.path(span.file), "line": span.start.line, "column": span.start.column })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use synth_core::syntax::{FileId, Pos};
+
+    /// The line and its marks, as they are shown for spans from and to these lines and columns.
+    #[track_caller]
+    fn check(text: &str, spans: &[[u32; 4]], expect: &str) {
+        let mut sources = Sources::new();
+        sources.add("s", text);
+        let span = |&[line, column, end, behind]: &[u32; 4]| Span {
+            file: FileId(0),
+            start: Pos { line, column },
+            end: Pos { line: end, column: behind },
+        };
+        let spans: Vec<Span> = spans.iter().map(span).collect();
+        assert_eq!(marked(&spans, &sources), expect);
+    }
+
+    #[test]
+    fn marks_stand_below_what_they_mark() {
+        check("  ab cd", &[[1, 6, 1, 8]], "    s:1 | ab cd\n        |    ^^\n");
+        check("ab cd", &[[1, 1, 1, 3], [1, 4, 1, 6]], "    s:1 | ab cd\n        | ^^ ^^\n");
+        check("\ta\tb", &[[1, 4, 1, 5]], "    s:1 | a\tb\n        |  \t^\n");
+        check("é €uro", &[[1, 3, 1, 7]], "    s:1 | é €uro\n        |   ^^^^\n");
+    }
+
+    #[test]
+    fn a_fragment_of_several_lines_is_marked_to_the_end_of_its_first() {
+        check("a\n  wait [\n  b ]", &[[2, 3, 3, 6]], "    s:2 | wait [\n        | ^^^^^^\n");
+    }
+
+    #[test]
+    fn a_place_outside_the_text_is_no_panic() {
+        check("", &[[9, 9, 9, 9]], "    s:9 | \n        | \n");
+        assert_eq!(marked(&[], &Sources::new()), "");
+    }
+}
