@@ -190,6 +190,11 @@ fn lines_that_mean_nothing() {
     refused("lines_3", "expect enabled", "this expects nothing at all");
     refused("lines_4", "expect enabled env -> ctl.start()", "`ctl` has no operation `start`");
     refused("lines_5", "expect enabled env -> ctl.take(a, b)", "`take` takes 1 arguments, found 2");
+    refused(
+        "lines_16",
+        "expect not enabled env -> ctl.take(arm)",
+        "`p` can never be `arm`: its type is `Part`",
+    );
     refused("lines_6", "expect enabled en -> ctl.stop()", "there is no object `en`");
     refused("lines_7", "expect enabled stop", "`stop` is no event");
     refused("lines_8", "expect turn nobodys", "expected `system`, `environment` or `nobody`");

@@ -2,7 +2,7 @@
 
 use super::player::{Player, squeezed};
 use super::table::Table;
-use synth_core::model::Spec;
+use synth_core::model::{Spec, Type};
 
 /// An expectation, with names as the specification has them.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -150,7 +150,7 @@ fn events(text: &str, spec: &Spec) -> Result<Vec<String>, String> {
     items(text).map(|item| event(item, spec)).collect()
 }
 
-/// Sender, receiver and operation must exist; what the arguments mean is left to the comparison.
+/// The event as it is written in outputs; everything that it names must exist.
 fn event(text: &str, spec: &Spec) -> Result<String, String> {
     let text = squeezed(text);
     if text == "yield" {
@@ -170,14 +170,30 @@ fn event(text: &str, spec: &Spec) -> Result<String, String> {
     };
     object(sender)?;
     let class = &spec.domain.classes[object(receiver)?.class];
-    let count = if arguments.is_empty() { 0 } else { arguments.split(',').count() };
-    let declared = class.operations.iter().map(|&one| &spec.domain.operations[one]);
-    match declared.filter(|one| one.name == operation).map(|one| one.parameters.len()).next() {
-        None => Err(format!("`{receiver}` has no operation `{operation}`")),
-        Some(parameters) if parameters != count => {
-            Err(format!("`{operation}` takes {parameters} arguments, found {count}"))
+    let arguments: Vec<&str> = if arguments.is_empty() { Vec::new() } else { arguments.split(',').collect() };
+    let mut declared = class.operations.iter().map(|&one| &spec.domain.operations[one]);
+    let Some(declared) = declared.find(|one| one.name == operation) else {
+        return Err(format!("`{receiver}` has no operation `{operation}`"));
+    };
+    if declared.parameters.len() != arguments.len() {
+        let expected = declared.parameters.len();
+        return Err(format!("`{operation}` takes {expected} arguments, found {}", arguments.len()));
+    }
+    for (argument, (name, ty)) in arguments.iter().zip(&declared.parameters) {
+        if !can_be(argument, *ty, spec) {
+            let ty = spec.domain.show_type(*ty);
+            return Err(format!("`{name}` can never be `{argument}`: its type is `{ty}`"));
         }
-        Some(_) => Ok(format!("{sender} -> {receiver}.{operation}({})", arguments.replace(',', ", "))),
+    }
+    Ok(format!("{sender} -> {receiver}.{operation}({})", arguments.join(", ")))
+}
+
+/// Whether this is how a value of the type is written.
+fn can_be(text: &str, ty: Type, spec: &Spec) -> bool {
+    match ty {
+        Type::Int(low, high) => text.parse().is_ok_and(|value: i64| (low..=high).contains(&value)),
+        Type::Class(_) if text == "null" => true,
+        _ => spec.domain.values(ty).any(|value| spec.domain.show(value, ty) == text),
     }
 }
 
@@ -244,13 +260,7 @@ fn attribute(name: &str, value: &str, spec: &Spec) -> Result<What, String> {
     let value = value.rsplit(':').next().unwrap_or(value).trim();
     // `=` or `==`.
     let value = value.trim_start_matches('=').trim();
-    let can_be = value == "null" && matches!(ty, synth_core::model::Type::Class(_))
-        || value.parse().is_ok_and(
-            |value| matches!(ty, synth_core::model::Type::Int(low, high) if (low..=high).contains(&value)),
-        )
-        || !matches!(ty, synth_core::model::Type::Int(..))
-            && spec.domain.values(ty).any(|one| spec.domain.show(one, ty) == value);
-    if can_be {
+    if can_be(value, ty, spec) {
         Ok(What::Attribute(name.clone(), value.to_owned()))
     } else {
         Err(format!("`{name}` can never be `{value}`: its type is `{}`", spec.domain.show_type(ty)))
