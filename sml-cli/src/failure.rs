@@ -48,9 +48,9 @@ impl Failure {
         Failure { exit, diagnostics: vec![diagnostic], sources: loaded.sources.clone() }
     }
 
-    /// Several things that concern places in a specification.
-    pub(crate) fn several(exit: Exit, diagnostics: Vec<Diagnostic>, loaded: &Loaded) -> Self {
-        Failure { exit, diagnostics, sources: loaded.sources.clone() }
+    /// Several things that concern places in these texts.
+    pub(crate) fn all(exit: Exit, diagnostics: Vec<Diagnostic>, sources: Sources) -> Self {
+        Failure { exit, diagnostics, sources }
     }
 
     /// Arguments that make no sense.
@@ -94,6 +94,15 @@ impl Failure {
     /// What is wrong with the specification, if that is what it is about.
     pub(crate) fn wrong(self) -> Result<Vec<Diagnostic>, Failure> {
         if self.exit == Exit::Wrong { Ok(self.diagnostics) } else { Err(self) }
+    }
+
+    /// Whether whoever types commands can go on after it: nothing is broken.
+    pub(crate) fn can_be_mended(&self) -> bool {
+        let ours = |one: &Diagnostic| matches!(one.code, Code::Usage | Code::MalformedScript);
+        match self.exit {
+            Exit::No | Exit::File => true,
+            _ => self.diagnostics.iter().all(ours),
+        }
     }
 
     /// Shows it: JSON on stdout, or text on stderr. A product that went to stdout is none for whoever gets this.

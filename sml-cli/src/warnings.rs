@@ -42,5 +42,5 @@ pub(crate) fn show(
         let text = render(&shown, &loaded.sources, session.color(&std::io::stderr()));
         output::note(text.trim_end());
     }
-    if denied.is_empty() { Ok(()) } else { Err(Failure::several(Exit::No, denied, loaded)) }
+    if denied.is_empty() { Ok(()) } else { Err(Failure::all(Exit::No, denied, loaded.sources.clone())) }
 }

@@ -1,10 +1,12 @@
 //! `sml check`: verdict, figures, warnings, and why a specification is not realizable.
 
+mod steps;
+
 use crate::failure::{Exit, Failure};
 use crate::options::Format;
-use crate::output;
 use crate::session::Session;
 use crate::warnings::Warnings;
+use crate::{input, output};
 use serde::Serialize;
 use serde_json::Value as Json;
 use std::path::PathBuf;
@@ -14,7 +16,7 @@ use synth_core::existential::Existential;
 use synth_core::explain::{Explanation, explain};
 use synth_core::model::{Kind, Spec};
 use synth_core::pipeline::{Figures, Solved};
-use synth_core::syntax::Loaded;
+use synth_core::syntax::{Loaded, Sources};
 
 /// Arguments of `sml check`.
 #[derive(Debug, clap::Args)]
@@ -23,6 +25,9 @@ pub(crate) struct Arguments {
     file: PathBuf,
     #[command(flatten)]
     warnings: Warnings,
+    /// If the specification is unrealizable: write the play that shows it as a Mermaid sequence diagram, `-` is stdout
+    #[arg(long, value_name = "OUT")]
+    sequence: Option<PathBuf>,
 }
 
 #[derive(Serialize)]
@@ -55,9 +60,14 @@ struct Scenario<'a> {
 #[derive(Serialize)]
 struct Because<'a> {
     cause: &'a str,
+    /// The core.
     scenarios: &'a [String],
+    minimal: bool,
+    involved: &'a [String],
     play: &'a [String],
     r#loop: &'a [String],
+    suggestions: Vec<&'a str>,
+    steps: Vec<steps::Step<'a>>,
 }
 
 /// All that there is to say.
@@ -69,6 +79,12 @@ struct Report {
 }
 
 pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
+    let drawing = arguments.sequence.as_deref();
+    let drawn_to_stdout = drawing.is_some_and(input::is_stdin);
+    if drawn_to_stdout && session.format() == Format::Json {
+        return Err(Failure::usage("`--sequence -` and `--format json` cannot both go to stdout"));
+    }
+    output::refuse_input(drawing, &arguments.file)?;
     let loaded = session.load(&arguments.file)?;
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;
@@ -76,10 +92,16 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let mut report = examine(&loaded, &spec, &mut solved, session)?;
     report.diagnostics.extend(session.all_warnings(&loaded, &mut solved)?);
     policy.apply(&mut report.diagnostics);
-    output::print(&match session.format() {
-        Format::Json => json(&report, &loaded),
-        Format::Text => text(&report, &spec, &loaded, session.color(&std::io::stdout())),
-    })?;
+    if let Some(path) = drawing {
+        steps::draw(path, report.explanation.as_ref(), &loaded)?;
+    }
+    match session.format() {
+        Format::Json => output::print(&json(&report, &loaded))?,
+        Format::Text if drawn_to_stdout => {
+            output::note(text(&report, &spec, &loaded, session.color(&std::io::stderr())).trim_end());
+        }
+        Format::Text => output::print(&text(&report, &spec, &loaded, session.color(&std::io::stdout())))?,
+    }
     let denied = report.diagnostics.iter().any(|one| policy.denies(one));
     Ok(if report.figures.realizable && !denied { Exit::Done } else { Exit::No })
 }
@@ -91,7 +113,9 @@ fn examine(
     session: &mut Session,
 ) -> Result<Report, Failure> {
     let explanation = session.stage("explain", || explain(solved));
-    let mut diagnostics: Vec<Diagnostic> = explanation.iter().map(Explanation::diagnostic).collect();
+    let place = |span| loaded.sources.place(span);
+    let mut diagnostics: Vec<Diagnostic> =
+        explanation.iter().map(|explanation| explanation.diagnostic_with(&place)).collect();
     let existential = if spec.scenarios.iter().any(|scenario| scenario.kind == Kind::Existential) {
         let controller = if explanation.is_none() {
             match session.synthesize(loaded, solved, Level::default()) {
@@ -127,7 +151,7 @@ fn json(report: &Report, loaded: &Loaded) -> String {
         guarantee_sets: figures.guarantee_sets,
         existential: existential.iter().map(scenario).collect(),
         diagnostics: to_json(diagnostics, &loaded.sources),
-        explanation: explanation.as_ref().map(because),
+        explanation: explanation.as_ref().map(|explanation| because(explanation, &loaded.sources)),
     };
     format!("{}\n", serde_json::to_string(&document).expect("strings and numbers always serialize"))
 }
@@ -137,9 +161,19 @@ fn scenario(existential: &Existential) -> Scenario<'_> {
     Scenario { scenario, reachable: *reachable, possible: *possible, witness }
 }
 
-fn because(explanation: &Explanation) -> Because<'_> {
-    let Explanation { cause, scenarios, play, cycle, .. } = explanation;
-    Because { cause: cause.as_str(), scenarios, play, r#loop: cycle }
+fn because<'a>(explanation: &'a Explanation, sources: &'a Sources) -> Because<'a> {
+    let Explanation { cause, scenarios, is_minimal, involved, play, cycle, .. } = explanation;
+    let suggestions = explanation.suggestions.iter().map(|suggestion| suggestion.text.as_str()).collect();
+    Because {
+        cause: cause.as_str(),
+        scenarios,
+        minimal: *is_minimal,
+        involved,
+        play,
+        r#loop: cycle,
+        suggestions,
+        steps: steps::steps(explanation, sources),
+    }
 }
 
 /// The diagnostics hold the explanation, too.

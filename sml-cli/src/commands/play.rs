@@ -1,190 +1,108 @@
-//! `sml play`: play-out by hand or by script, alone or against the controller.
+//! `sml play`: play-out by hand or by script, alone, against the controller, or against the environment's
+//! counter-strategy.
 //!
-//! With `--strategy` the controller's events are shown like the others, yields included, so what is shown is a
+//! With `--strategy` the answers are shown like the events that are given, yields included, so what is shown is a
 //! script for a play by hand.
 
+mod controller;
+mod dialog;
+mod environment;
+mod expect;
 mod player;
-mod strategy;
+mod script;
+mod table;
+mod view;
 
 use crate::failure::{Exit, Failure};
 use crate::options::{Format, Minimize};
 use crate::session::Session;
 use crate::{input, output};
-use player::{Happened, Player, Trouble};
-use serde::Serialize;
-use std::io::{BufRead as _, IsTerminal as _};
+use controller::Controlled;
+use dialog::Manners;
+use environment::Adversary;
+use player::Player;
+use script::Script;
+use std::io::IsTerminal as _;
 use std::path::PathBuf;
-use strategy::Strategy;
-use synth_core::diagnostic::{Code, render};
-use synth_core::model::Spec;
-use synth_core::syntax::{Loaded, Sources};
+use synth_core::diagnostic::Code;
+use synth_core::pipeline::Solved;
+use table::{Opponent, Table};
 
 /// Arguments of `sml play`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// The specification; `-` is stdin
     file: PathBuf,
-    /// Events to play, one text a line; `#` begins a comment. Without it events are asked for, or read from stdin
+    /// Events to play, one text a line, and `expect` lines; `#` begins a comment. Without it commands are read from
+    /// stdin, `help` lists them
     #[arg(long, value_name = "F")]
     script: Option<PathBuf>,
-    /// Let the controller answer: only events of the environment are given
+    /// Let the controller answer: only events of the environment are given. If there is none, the environment is
+    /// played so that it wins, and events of the system are given
     #[arg(long)]
     strategy: bool,
     #[command(flatten)]
     minimize: Minimize,
 }
 
-#[derive(Serialize)]
-struct Line<'a> {
-    event: &'a str,
-    turn: &'a str,
-    violated: &'a [String],
-    enabled: Vec<&'a str>,
-}
-
 pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
     let Arguments { file, script, strategy, minimize } = arguments;
     let by_hand = PathBuf::from("-");
-    let source = script.as_ref().unwrap_or(&by_hand);
-    input::one_stdin([file, source])?;
+    input::one_stdin([file, script.as_ref().unwrap_or(&by_hand)])?;
     let level = minimize.level().map_err(Failure::unsupported)?;
     let loaded = session.load(file)?;
     let spec = session.specification(&loaded)?;
-    let controller = if *strategy {
-        let mut solved = session.solve(&loaded, &spec)?;
-        Some(session.synthesize(&loaded, &mut solved, level)?.controller)
-    } else {
-        None
+    let format = session.format();
+    let script = match script {
+        Some(path) => {
+            let text = input::text(path, Code::Encoding)?;
+            Some(Script::parse(&input::name(path), &text, &spec)?)
+        }
+        None => None,
     };
-    let mut table = Table::new(&loaded, &spec, controller.as_ref().map(Strategy::new), session)?;
-    table.begin()?;
-    if script.is_none() && std::io::stdin().is_terminal() {
-        table.ask()?;
-    } else {
-        let text = input::text(source, Code::Encoding)?;
-        table.script(&text)?;
+    let mut solved = if *strategy { Some(session.solve(&loaded, &spec)?) } else { None };
+    let wins = |one: &&mut Solved<'_>| one.solution.wins(one.explored.game.initial);
+    let verified = match solved.as_mut().filter(wins) {
+        Some(solved) => Some(session.synthesize(&loaded, solved, level)?),
+        None => None,
+    };
+    let opponent = match (&verified, &solved) {
+        (Some(verified), _) => Opponent::Controller(Controlled::new(&verified.controller)),
+        (None, Some(solved)) => {
+            output::note(
+                "the specification is unrealizable: you play the system, and the environment will win",
+            );
+            Adversary::new(solved).map_or(Opponent::Nobody, |one| Opponent::Environment(Box::new(one)))
+        }
+        (None, None) => Opponent::Nobody,
+    };
+    let player = Player::new(&spec, session.semantics());
+    let player = player.map_err(|mistake| Failure::at(Exit::Wrong, *mistake, &loaded))?;
+    let mut table = Table::new(&loaded, player, opponent);
+    begin(&mut table, format)?;
+    match script {
+        Some(script) => {
+            script.play(&mut table, format)?;
+            if format == Format::Text {
+                output::print(&view::turn(&mut table.player, &loaded.sources))?;
+            }
+        }
+        None => {
+            let interactive = std::io::stdin().is_terminal();
+            let manners = Manners { format, color: session.color(&std::io::stdout()), interactive };
+            dialog::run(&mut table, &mut std::io::stdin().lock(), manners)?;
+        }
     }
     Ok(Exit::Done)
 }
 
-/// Where the game is played: both players, and the audience.
-struct Table<'a> {
-    loaded: &'a Loaded,
-    player: Player<'a>,
-    strategy: Option<Strategy<'a>>,
-    format: Format,
-    color: bool,
-}
-
-impl<'a> Table<'a> {
-    fn new(
-        loaded: &'a Loaded,
-        spec: &'a Spec,
-        strategy: Option<Strategy<'a>>,
-        session: &Session,
-    ) -> Result<Self, Failure> {
-        let player = Player::new(spec, session.semantics());
-        let player = player.map_err(|mistake| Failure::at(Exit::Wrong, *mistake, loaded))?;
-        Ok(Table {
-            loaded,
-            player,
-            strategy,
-            format: session.format(),
-            color: session.color(&std::io::stderr()),
-        })
+/// What the opponent does before anything is given.
+fn begin(table: &mut Table<'_>, format: Format) -> Result<(), Failure> {
+    if !table.is_answered() {
+        return Ok(());
     }
-
-    /// The controller's events before any of the environment's.
-    fn begin(&mut self) -> Result<(), Failure> {
-        let events = self.strategy.as_mut().map_or(Vec::new(), Strategy::begin);
-        self.respond(&events).map_err(|trouble| self.failure(trouble))
-    }
-
-    fn script(&mut self, text: &str) -> Result<(), Failure> {
-        for line in text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')) {
-            self.given(line).map_err(|trouble| self.failure(trouble))?;
-        }
-        self.show_enabled()
-    }
-
-    /// Asks for events until there are no more.
-    fn ask(&mut self) -> Result<(), Failure> {
-        let mut lines = std::io::stdin().lock().lines();
-        loop {
-            self.show_enabled()?;
-            output::print("> ")?;
-            let Some(Ok(line)) = lines.next() else { return output::print("\n") };
-            let line = line.trim();
-            if line == "quit" {
-                return Ok(());
-            }
-            match self.given(&self.chosen(line)) {
-                Err(Trouble::NotExecutable(why)) => {
-                    output::note(render(&[*why], &Sources::new(), self.color).trim_end());
-                }
-                result => result.map_err(|trouble| self.failure(trouble))?,
-            }
-        }
-    }
-
-    /// The event with this number, or the text itself.
-    fn chosen(&self, text: &str) -> String {
-        let number = text.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
-        let enabled = self.player.enabled();
-        number.and_then(|number| enabled.get(number).copied()).unwrap_or(text).to_owned()
-    }
-
-    /// Plays an event that was given, and what the controller answers.
-    fn given(&mut self, text: &str) -> Result<(), Trouble> {
-        let happened = self.player.play(text)?;
-        self.show(&happened)?;
-        let answer = self.strategy.as_mut().map_or(Vec::new(), |strategy| strategy.answer(&happened.event));
-        self.respond(&answer)
-    }
-
-    /// Plays the controller's events, and yields where it has no more to send.
-    fn respond(&mut self, events: &[&str]) -> Result<(), Trouble> {
-        for event in events {
-            let happened = self.player.play(event)?;
-            self.show(&happened)?;
-        }
-        while self.strategy.is_some() && self.player.may_yield() {
-            let happened = self.player.play("yield")?;
-            self.show(&happened)?;
-        }
-        Ok(())
-    }
-
-    fn show(&self, happened: &Happened) -> Result<(), Failure> {
-        let Happened { event, turn, violated } = happened;
-        let turn = turn.name();
-        output::print(&match self.format {
-            Format::Json => {
-                let line = Line { event, turn, violated, enabled: self.player.enabled() };
-                format!("{}\n", serde_json::to_string(&line).expect("strings always serialize"))
-            }
-            Format::Text if violated.is_empty() => format!("{turn}: {event}\n"),
-            Format::Text => format!("{turn}: {event}\n  violates {}\n", violated.join(", ")),
-        })
-    }
-
-    fn show_enabled(&self) -> Result<(), Failure> {
-        if self.format == Format::Json {
-            return Ok(());
-        }
-        let enabled = self.player.enabled();
-        if enabled.is_empty() {
-            return output::print("nothing is enabled\n");
-        }
-        let lines: String = enabled.iter().zip(1..).map(|(text, n)| format!("  {n}  {text}\n")).collect();
-        output::print(&format!("enabled for the {}:\n{lines}", self.player.turn().name()))
-    }
-
-    fn failure(&self, trouble: Trouble) -> Failure {
-        match trouble {
-            Trouble::NotExecutable(why) => Failure::at(Exit::No, *why, self.loaded),
-            Trouble::Mistake(mistake) => Failure::at(Exit::Wrong, *mistake, self.loaded),
-            Trouble::Unshown(failure) => failure,
-        }
-    }
+    let mut happened = Vec::new();
+    let result = table.restart(&mut happened);
+    dialog::show(&happened, table, format)?;
+    result.map_err(|wrong| dialog::failure(wrong, "", table))
 }

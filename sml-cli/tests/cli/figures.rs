@@ -32,9 +32,10 @@ fn explanations_have_a_cause_and_a_play() {
         let causes = ["environment_violates", "urgent_blocked", "guarantees_conflict", "obligation_starved"]
             .map(Value::from);
         assert!(causes.contains(&explanation["cause"]), "{name}: {explanation}");
-        for list in ["scenarios", "play", "loop"] {
+        for list in ["scenarios", "involved", "play", "loop"] {
             assert!(explanation[list].is_array(), "{name}: {explanation}");
         }
+        assert_eq!(explanation["minimal"], true, "{name}: {explanation}");
     }
 }
 

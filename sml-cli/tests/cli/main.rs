@@ -1,11 +1,16 @@
 //! The command as its users meet it: arguments in, streams, files and exit code out.
 
+mod counter_play;
 mod exits;
 mod figures;
 mod files;
 mod graph;
 mod play;
+mod play_adversary;
+mod play_dialog;
+mod play_script;
 mod products;
 mod stimulus;
 mod support;
+mod transcripts;
 mod warnings;

@@ -90,9 +90,8 @@ fn what_the_controller_plays_is_a_script() {
 
 /// An event of the environment that is enabled initially.
 fn first_event(name: &str) -> String {
-    let shown = sml_reading(&format!("play {name}/spec.sml"), b"").stdout;
-    let first = shown.lines().find_map(|line| line.trim_start().strip_prefix("1  "));
-    first.expect("an enabled event").to_owned()
+    let state = sml_reading(&format!("play {name}/spec.sml --format json"), b"state\n").json();
+    state["enabled"][0].as_str().expect("an enabled event").to_owned()
 }
 
 #[test]

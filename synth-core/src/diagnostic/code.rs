@@ -284,6 +284,23 @@ codes! {
     Unfit = 108, "a controller that a target cannot hold",
         "States, rows or commands outnumber what the target's types can tell apart, or draining would never end. \
          Nothing is written.\n";
+    FailedExpectation = 109, "an expectation that does not hold",
+        "A line of a script for `sml play` says what must hold at this point of the play, and it does not. Lines that\n\
+         begin with `-` were expected and are not there, lines with `+` are there and were not expected. The rest of\n\
+         the script is played all the same.\n\n\
+         expect enabled EVENT; EVENT     all of these can happen next\n\
+         expect only EVENT; EVENT        these and nothing else\n\
+         expect turn system              or `environment`, or `nobody` once the play is over\n\
+         expect lamp.on = true           the value of an attribute\n\
+         expect violated SCENARIO        by the last event of the script or an answer to it\n\
+         expect active SCENARIO[r=lamp]  some copy with these roles, and perhaps others\n\
+         expect not ...                  the opposite of any of these\n";
+    MalformedScript = 110, "a line of a script that means nothing",
+        "A script for `sml play` has one event text, `yield`, or `expect` and what is expected a line; `#` begins a\n\
+         comment. An expectation names scenarios, objects, operations and attributes of the specification: one about\n\
+         a name that does not exist would hold or fail for ever, so it is refused before anything is played.\n\n\
+         Wrong:  expect enabeld user -> lamp.press()\n\
+         Right:  expect enabled user -> lamp.press()\n";
 }
 
 #[cfg(test)]

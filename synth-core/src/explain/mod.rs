@@ -1,16 +1,28 @@
 //! Why a specification is not realizable, in terms of its scenarios.
 //!
 //! The solver's counter-strategy gives one play that the environment forces ([`counter_play`]). Here it is played
-//! out once more to see which scenarios it breaks or starves, and what keeps the system from meeting them.
-//! It is one play, not all of them, and `scenarios` is what is involved in it, not a smallest set of conflicting scenarios.
+//! out once more to see which scenarios it breaks or starves, and what keeps the system from meeting them. It is one
+//! play, not all of them; which guarantees cannot be met whatever the play, is found by relaxing the others (`core`).
 
+mod core;
+mod probe;
+mod sequence;
+mod steps;
+mod suggest;
+
+pub use probe::{Budget, Prober, Scenarios};
+pub use sequence::sequence;
+pub use steps::{Mention, PlayStep, Refusal, refusal};
+pub use suggest::Suggestion;
+use suggest::{Basis, suggest};
+
+use self::core::Core;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::explore::{Explored, Limits, explore};
-use crate::game::{CounterPlay, Loss, YIELD, can_meet, counter_play, solve};
+use crate::game::{CounterPlay, Loss, YIELD, can_meet, counter_play};
 use crate::model::{Kind, Spec};
 use crate::pipeline::Solved;
 use crate::playout::{Config, Key, KeyId, Moves, Playout, Step};
-use crate::syntax::Span;
+use crate::syntax::{FileId, Span};
 use std::collections::BTreeSet;
 
 /// What is at the bottom of it; the first that applies.
@@ -23,8 +35,8 @@ pub enum Cause {
     /// this obligation even if it violates no guarantee but neglects all other obligations.
     UrgentBlocked,
     /// The system could meet the obligation that starves if it were the only one (without violating any guarantee), or
-    /// if its scenario were the only guarantee. If super steps do not end: several scenarios are involved, and
-    /// the specification were realizable with each of them alone.
+    /// if all guarantees but its scenario were relaxed. If super steps do not end: the core consists of several
+    /// scenarios, so each of them could be met without the others.
     GuaranteesConflict,
     /// None of these: the environment can withhold what the obligation waits for.
     ObligationStarved,
@@ -66,20 +78,29 @@ pub struct Starved {
 pub struct Explanation {
     /// What is at the bottom of it.
     pub cause: Cause,
-    /// Names of the scenarios involved, without duplicates: first those that are violated or starve, then those that
-    /// block the system's events. In a conflict also the guarantees that the system cannot meet together with the one
-    /// that starves: without any one of these it could.
+    /// Names of a minimal core of guarantees: with all others relaxed the specification is not realizable, with any one of
+    /// these relaxed, too, it is. What is violated or starves in the play comes first.
     pub scenarios: Vec<String>,
+    /// The places of their names.
+    pub places: Vec<Span>,
+    /// The core is known to be minimal. It is not where the search for a smaller one became too costly or met a mistake.
+    pub is_minimal: bool,
+    /// Names of other scenarios that have a part in the play: they are violated or starve, or block events of the system.
+    pub involved: Vec<String>,
     /// Event texts of a play that the environment can force; a yield is `yield`.
     pub play: Vec<String>,
     /// What is then repeated for ever; the single text `silence` if nothing happens any more. Empty if a guarantee is
     /// violated at the end of `play`.
     pub cycle: Vec<String>,
+    /// Every step of `play` and `cycle`, and what the scenarios have to do with it.
+    pub steps: Vec<PlayStep>,
     /// The obligation that is not met in the loop; `None` if a guarantee is violated, or a super step never ends.
     pub starved: Option<Starved>,
     /// Events of the system that would help but are not allowed where the play ends, in the order of their texts.
     pub blocked: Vec<Blocked>,
-    /// The place of the message or `wait` that starves, else the name of the first scenario involved.
+    /// Assumptions with any one of which the specification is realizable, one of each shape that was found to help.
+    pub suggestions: Vec<Suggestion>,
+    /// The place of the message or `wait` that starves, else the name of the first scenario that is violated.
     pub place: Span,
 }
 
@@ -87,6 +108,20 @@ impl Explanation {
     /// As a message to the author.
     #[must_use]
     pub fn diagnostic(&self) -> Diagnostic {
+        self.diagnostic_with(&|span| match span.file {
+            FileId(0) => format!("line {}", span.start.line),
+            _ => format!("line {} of an imported file", span.start.line),
+        })
+    }
+
+    /// As a message to the author that shows the places of the play's annotations in this way.
+    #[must_use]
+    pub fn diagnostic_with(&self, place: &dyn Fn(Span) -> String) -> Diagnostic {
+        let width = self.steps.iter().map(|step| step.event.chars().count()).max().unwrap_or(0);
+        let steps = |in_loop: bool| {
+            let steps = self.steps.iter().filter(|step| step.in_loop == in_loop);
+            steps.flat_map(|step| steps::lines(step, width, place)).collect::<Vec<_>>().join("\n  ")
+        };
         let label = match (self.cause, &self.starved) {
             (Cause::EnvironmentViolates, _) => "the environment can violate this",
             (Cause::UrgentBlocked, _) => "this must be sent, and is blocked for ever",
@@ -102,19 +137,28 @@ impl Explanation {
                 by => format!("`{event}` is not allowed there, it would violate `{}`", by.join("`, `")),
             });
         }
-        if self.scenarios.len() > 1 {
-            diagnostic = diagnostic.note(format!("scenarios involved: `{}`", self.scenarios.join("`, `")));
-        }
+        diagnostic = self.point_at_core(diagnostic);
         if !self.play.is_empty() {
-            let play = self.play.join("\n  ");
+            let play = steps(false);
             diagnostic = diagnostic.note(format!("the environment can force this play:\n  {play}"));
         }
         if !self.cycle.is_empty() {
             let when = if self.play.is_empty() { "from the start" } else { "and then" };
-            let cycle = self.cycle.join("\n  ");
+            let cycle = steps(true);
             diagnostic = diagnostic.note(format!("{when}, for ever:\n  {cycle}"));
         }
-        diagnostic.help(match self.cause {
+        diagnostic.help(match self.suggestions.as_slice() {
+            [] => self.help().to_owned(),
+            some => {
+                let texts: Vec<String> = some.iter().map(Suggestion::as_edit).collect();
+                texts.join("\nor ")
+            }
+        })
+    }
+
+    /// What to do if no suggestion was found.
+    fn help(&self) -> &'static str {
+        match self.cause {
             Cause::EnvironmentViolates => {
                 "add the assumption that rules the last event out, or relax the guarantee"
             }
@@ -122,10 +166,34 @@ impl Explanation {
                 "relax the guarantee that blocks the message, or the one that asks for it"
             }
             Cause::GuaranteesConflict => "relax one of the guarantees involved",
+            Cause::ObligationStarved if self.starved.is_none() => {
+                "let the scenario wait for an event of the environment before it asks again"
+            }
             Cause::ObligationStarved => {
                 "add the assumption about the environment that is missing, or relax the guarantee"
             }
-        })
+        }
+    }
+
+    /// Adds the core and what else is involved.
+    fn point_at_core(&self, mut diagnostic: Diagnostic) -> Diagnostic {
+        if self.scenarios.len() > 1 {
+            for &place in self.places.iter().filter(|&&place| place != self.place) {
+                diagnostic = diagnostic.also(place, "cannot be met together with the others");
+            }
+            let names = self.scenarios.join("`, `");
+            diagnostic = diagnostic.note(if self.is_minimal {
+                format!("these cannot be met together, but without any one of them: `{names}`")
+            } else {
+                format!("these cannot be met together, perhaps not even some of them: `{names}`")
+            });
+        } else if let Some(only) = self.scenarios.first() {
+            diagnostic = diagnostic.note(format!("`{only}` alone cannot be met"));
+        }
+        if !self.involved.is_empty() {
+            diagnostic = diagnostic.note(format!("also involved: `{}`", self.involved.join("`, `")));
+        }
+        diagnostic
     }
 }
 
@@ -134,16 +202,17 @@ pub const SILENCE: &str = "silence";
 
 /// Explains why the system cannot win from the initial state; `None` if it can.
 ///
-/// Costs about as much as solving the game once more; a conflict as much as solving it, or if that does not show it
-/// exploring and solving it, once for each guarantee.
+/// The counter-play costs about as much as solving the game once more, the core as much as [`Budget`] says: exploring
+/// and solving it twenty times at most, and in practice once or twice for each scenario of the core.
 #[must_use]
 pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
     let CounterPlay { play, cycle, loss } = counter_play(&solved.explored.game, &solved.solution)?;
     let spec = solved.explored.playout.spec();
     let mut replay = Replay::new(solved)?;
     let texts = |edges: &[u32]| edges.iter().map(|&edge| text(solved, edge)).collect::<Vec<_>>();
-    let (play, mut cycle) = (texts(&play), texts(&cycle));
-    let mut findings = match loss {
+    let (play_edges, cycle_edges) = (play, cycle);
+    let (play, mut cycle) = (texts(&play_edges), texts(&cycle_edges));
+    let findings = match loss {
         Loss::Violation => {
             let (last, before) = play.split_last()?;
             before.iter().try_for_each(|event| replay.follow(event))?;
@@ -151,33 +220,85 @@ pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
         }
         Loss::Starvation(key) => {
             play.iter().try_for_each(|event| replay.follow(event))?;
-            replay.starvation(solved, key, &cycle)?
+            replay.starvation(solved.explored.playout.key(key), &cycle)?
         }
         Loss::Endless => {
             play.iter().try_for_each(|event| replay.follow(event))?;
-            replay.endless(solved, &cycle)?
+            replay.endless(&cycle)?
         }
     };
     if cycle.is_empty() && loss != Loss::Violation {
         cycle.push(SILENCE.to_owned());
     }
+    let budget = Budget::for_states(solved.explored.game.states());
+    let mut prober = Prober::new(spec, solved.explored.playout.semantics(), budget)?.knowing(false);
+    let core = core::core(&mut prober, &findings.scenarios);
+    let cause = cause(solved, loss, &findings, &core, &mut prober);
+    let name = |scenario: &usize| spec.scenarios[*scenario].name.clone();
     let mut seen = BTreeSet::new();
-    findings.scenarios.retain(|&scenario| seen.insert(scenario));
-    let name = |scenario: usize| spec.scenarios[scenario].name.clone();
+    let involved = findings.scenarios.iter().copied().filter(|&scenario| seen.insert(scenario));
+    let (mut scenarios, involved): (Vec<usize>, Vec<usize>) =
+        involved.partition(|scenario| core.scenarios.contains(scenario));
+    scenarios.extend(core.scenarios.iter().filter(|scenario| !seen.contains(scenario)));
+    let first = *findings.scenarios.first()?;
+    // The core first, but what the play violates even before that.
+    let mut speaking = vec![first];
+    speaking.extend(scenarios.iter().chain(&involved).filter(|&&scenario| scenario != first));
+    let basis = Basis {
+        solved,
+        loss,
+        play: &play_edges,
+        cycle: &cycle_edges,
+        starved: findings.starved.as_ref(),
+        scenarios: &speaking,
+    };
+    let suggestions = suggest(&basis, prober.budget());
     let starved = findings.starved.map(|key| Starved {
-        scenario: name(key.scenario),
+        scenario: name(&key.scenario),
         fragment: spec.scenarios[key.scenario].nodes[usize::from(key.node)].span,
     });
-    let first = spec.scenarios.get(*findings.scenarios.first()?)?.span;
+    let steps = steps::annotate(solved, &play, &cycle)?;
     Some(Explanation {
-        cause: findings.cause,
-        scenarios: findings.scenarios.iter().map(|&scenario| name(scenario)).collect(),
+        cause,
+        scenarios: scenarios.iter().map(name).collect(),
+        places: scenarios.iter().map(|&scenario| spec.scenarios[scenario].span).collect(),
+        is_minimal: core.is_minimal,
+        involved: involved.iter().map(name).collect(),
         play,
         cycle,
-        place: starved.as_ref().map_or(first, |starved| starved.fragment),
+        steps,
+        place: starved.as_ref().map_or(spec.scenarios[first].span, |starved| starved.fragment),
+        suggestions,
         starved,
         blocked: findings.blocked.into_iter().collect(),
     })
+}
+
+/// The first cause that applies.
+fn cause(
+    solved: &Solved<'_>,
+    loss: Loss,
+    findings: &Findings,
+    core: &Core,
+    prober: &mut Prober<'_>,
+) -> Cause {
+    let is_conflict = match (loss, &findings.starved) {
+        (Loss::Violation, _) => return Cause::EnvironmentViolates,
+        (Loss::Starvation(key), _) if can_meet(&solved.explored.game, &[key]) => true,
+        (Loss::Starvation(_), _) if findings.always_blocked => return Cause::UrgentBlocked,
+        (_, Some(key)) => {
+            let is_other = |&scenario: &usize| scenario != key.scenario;
+            let others = guarantees(prober.spec()).filter(is_other).collect();
+            prober.is_realizable(&others) == Some(true)
+        }
+        (_, None) => core.is_minimal && core.scenarios.len() > 1,
+    };
+    if is_conflict { Cause::GuaranteesConflict } else { Cause::ObligationStarved }
+}
+
+/// The guarantees, as indices.
+fn guarantees(spec: &Spec) -> impl Iterator<Item = usize> {
+    (0..spec.scenarios.len()).filter(|&scenario| spec.scenarios[scenario].kind == Kind::Guarantee)
 }
 
 fn text(solved: &Solved<'_>, edge: u32) -> String {
@@ -189,10 +310,11 @@ fn text(solved: &Solved<'_>, edge: u32) -> String {
 
 /// What a replay shows.
 struct Findings {
-    cause: Cause,
-    /// Indices; with duplicates.
+    /// Indices of those that are violated or starve, then of those that block; with duplicates.
     scenarios: Vec<usize>,
     starved: Option<Key>,
+    /// Throughout the loop each event that would meet what starves is blocked.
+    always_blocked: bool,
     blocked: BTreeSet<Blocked>,
 }
 
@@ -239,13 +361,11 @@ impl<'s> Replay<'s> {
                 self.is_blocked(key, &mut scenarios, &mut blocked);
             }
         }
-        Findings { cause: Cause::EnvironmentViolates, scenarios, starved: None, blocked }
+        Findings { scenarios, starved: None, always_blocked: false, blocked }
     }
 
     /// An obligation is never met in the loop.
-    fn starvation(&mut self, solved: &Solved<'_>, id: KeyId, cycle: &[String]) -> Option<Findings> {
-        let spec = self.playout.spec();
-        let key = solved.explored.playout.key(id);
+    fn starvation(&mut self, key: &Key, cycle: &[String]) -> Option<Findings> {
         let mut scenarios = vec![key.scenario];
         let mut blocked = BTreeSet::new();
         let mut always_blocked = true;
@@ -258,29 +378,11 @@ impl<'s> Replay<'s> {
                 self.follow(event)?;
             }
         }
-        let cause = if can_meet(&solved.explored.game, &[id]) {
-            scenarios.extend(rivals(spec, |others| {
-                let keys = solved.explored.game.guarantees.iter().copied();
-                let scenario_of = |key: KeyId| solved.explored.playout.key(key).scenario;
-                let kept = keys.filter(|&other| other == id || others.contains(&scenario_of(other)));
-                can_meet(&solved.explored.game, &kept.collect::<Vec<_>>())
-            }));
-            Cause::GuaranteesConflict
-        } else if always_blocked {
-            Cause::UrgentBlocked
-        } else if is_realizable_with(solved, &[key.scenario]) {
-            scenarios.extend(rivals(spec, |others| {
-                is_realizable_with(solved, &[others, &[key.scenario]].concat())
-            }));
-            Cause::GuaranteesConflict
-        } else {
-            Cause::ObligationStarved
-        };
-        Some(Findings { cause, scenarios, starved: Some(key.clone()), blocked })
+        Some(Findings { scenarios, starved: Some(key.clone()), always_blocked, blocked })
     }
 
     /// The system never lets the environment have its turn.
-    fn endless(&mut self, solved: &Solved<'_>, cycle: &[String]) -> Option<Findings> {
+    fn endless(&mut self, cycle: &[String]) -> Option<Findings> {
         let mut scenarios = Vec::new();
         for event in cycle {
             let open = self.open();
@@ -288,14 +390,7 @@ impl<'s> Replay<'s> {
             self.follow(event)?;
         }
         scenarios.sort_unstable();
-        scenarios.dedup();
-        let each_alone = || scenarios.iter().all(|&scenario| is_realizable_with(solved, &[scenario]));
-        let cause = if scenarios.len() > 1 && each_alone() {
-            Cause::GuaranteesConflict
-        } else {
-            Cause::ObligationStarved
-        };
-        Some(Findings { cause, scenarios, starved: None, blocked: BTreeSet::new() })
+        Some(Findings { scenarios, starved: None, always_blocked: false, blocked: BTreeSet::new() })
     }
 
     fn open(&self) -> Vec<KeyId> {
@@ -329,36 +424,6 @@ impl<'s> Replay<'s> {
         }
         !attempts.is_empty() && attempts.iter().all(super::playout::Attempt::is_blocked)
     }
-}
-
-/// The guarantees that are in conflict with what starves: a set of them with which it cannot be met, but without any
-/// one of which it could.
-fn rivals(spec: &Spec, can_be_met_with: impl Fn(&[usize]) -> bool) -> Vec<usize> {
-    let is_guarantee = |&scenario: &usize| spec.scenarios[scenario].kind == Kind::Guarantee;
-    let mut rivals: Vec<usize> = (0..spec.scenarios.len()).filter(is_guarantee).collect();
-    for index in (0..rivals.len()).rev() {
-        let candidate = rivals.remove(index);
-        if can_be_met_with(&rivals) {
-            rivals.insert(index, candidate);
-        }
-    }
-    rivals
-}
-
-/// Whether the specification were realizable with these guarantees alone. Without the others there can be more states
-/// or mistakes; where it becomes too large or wrong the answer is no.
-fn is_realizable_with(solved: &Solved<'_>, guarantees: &[usize]) -> bool {
-    let Explored { playout, game, .. } = &solved.explored;
-    let mut reduced = playout.spec().clone();
-    let mut scenarios = 0..;
-    reduced.scenarios.retain(|scenario| {
-        let index = scenarios.next();
-        scenario.kind != Kind::Guarantee || index.is_some_and(|index| guarantees.contains(&index))
-    });
-    let states = game.states().saturating_mul(4).max(10_000);
-    let limits = Limits { states, ..Limits::default() };
-    explore(&reduced, playout.semantics(), &limits)
-        .is_ok_and(|explored| solve(&explored.game).wins(explored.game.initial))
 }
 
 #[cfg(test)]

@@ -34,10 +34,15 @@ fn explained(body: &str) -> String {
         }
         Err(failure) => panic!("{failure:?}"),
     }
-    let Some(Explanation { cause, scenarios, play, cycle, starved, blocked, .. }) = explanation else {
+    let Some(explanation) = explanation else {
         return "realizable".to_owned();
     };
+    assert!(explanation.is_minimal);
+    let Explanation { cause, scenarios, involved, play, cycle, starved, blocked, .. } = explanation;
     let mut lines = vec![format!("{} {}", cause.as_str(), scenarios.join(", "))];
+    if !involved.is_empty() {
+        lines.push(format!("involved {}", involved.join(", ")));
+    }
     lines.push(format!("play {}", play.join(", ")));
     if !cycle.is_empty() {
         lines.push(format!("loop {}", cycle.join(", ")));
@@ -120,7 +125,8 @@ fn a_message_that_would_break_an_assumption_is_blocked() {
         "guarantee scenario G { user -> control.press() urgent control -> lamp.on() }
          assumption scenario A { user -> control.press() user -> control.release() }
            constraints [ forbidden control -> lamp.on() ]",
-        "urgent_blocked C.G, C.A
+        "urgent_blocked C.G
+         involved C.A
          play user -> control.press()
          loop silence
          starved C.G guarantee scenario G { user -> control.press() urgent control -> lamp.on() }
@@ -172,7 +178,7 @@ fn two_guarantees_ask_each_other_for_ever() {
         "guarantee scenario G { control -> lamp.on() urgent control -> lamp.off() }
          guarantee scenario H { control -> lamp.off() urgent control -> lamp.on() }
          guarantee scenario Start { user -> control.press() urgent control -> lamp.on() }",
-        "guarantees_conflict C.G, C.H
+        "guarantees_conflict C.G, C.H, C.Start
          play user -> control.press(), control -> lamp.on()
          loop control -> lamp.off(), control -> lamp.on()",
     );

@@ -12,8 +12,8 @@
 
 use super::{Explored, StateId};
 use crate::game::{Turn, YIELD};
-use crate::model::{Domain, Kind, Scenario, Spec, Type, UNSET, Value};
-use crate::playout::{Config, Copy, Key, KeyId, variables_read};
+use crate::model::{Domain, Kind, Spec, Type, UNSET, Value};
+use crate::playout::{Config, Copy, Key, KeyId, bound_name, variables_read};
 use serde_json::{Map, Value as Json, json};
 use std::collections::BTreeSet;
 use std::io::{self, Write};
@@ -189,16 +189,6 @@ fn describe_copy(spec: &Spec, copy: &Copy) -> Json {
     };
     let cut: Vec<String> = copy.cut.iter().map(place).collect();
     json!({ "scenario": scenario.name, "roles": roles, "variables": variables, "cut": cut.join(",") })
-}
-
-/// `Collaboration.Scenario[role=object,…]`, with the roles that are bound, by their names.
-fn bound_name(spec: &Spec, scenario: &Scenario, roles: &[Value]) -> String {
-    let bound = scenario.roles.iter().zip(roles).filter(|(_, value)| **value != UNSET);
-    let mut bound: Vec<String> = bound
-        .map(|(role, &value)| format!("{}={}", role.name, spec.domain.show(value, Type::Class(role.class))))
-        .collect();
-    bound.sort_unstable();
-    if bound.is_empty() { scenario.name.clone() } else { format!("{}[{}]", scenario.name, bound.join(",")) }
 }
 
 fn attributes(domain: &Domain, values: &[Value]) -> Json {

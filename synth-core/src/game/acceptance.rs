@@ -35,8 +35,8 @@ impl Acceptance {
         goals
     }
 
-    /// What no play meets.
-    pub(super) fn nothing(game: &Game) -> Acceptance {
+    /// A goal that is never accepted.
+    pub(super) fn never(game: &Game) -> Acceptance {
         let mut open = FixedBitSet::with_capacity(game.states());
         open.insert_range(..);
         Acceptance { open, discharging: vec![false; game.key_sets.len()] }

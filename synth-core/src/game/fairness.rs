@@ -36,7 +36,7 @@ pub fn trapped(game: &Game, strategy: &Strategy) -> Vec<bool> {
     for &key in &game.assumptions {
         is_assumption[key as usize] = true;
     }
-    let goal = Acceptance::nothing(game);
+    let goal = Acceptance::never(game);
     let part = Part { game, strategy, goal: &goal, is_assumption: &is_assumption };
     let mut trapped = vec![false; strategy.nodes()];
     // A component comes after those that it leads to.

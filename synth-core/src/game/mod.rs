@@ -4,19 +4,23 @@
 
 mod acceptance;
 mod counter;
+mod counter_strategy;
 mod extract;
 mod fairness;
 mod keysets;
 mod predecessors;
 mod pursuit;
 mod region;
+mod separation;
 mod solve;
 mod strategy;
 
-pub use counter::{CounterPlay, Loss, can_meet, counter_play};
+pub use counter::{CounterPlay, Loss, can_meet, counter_play, wins};
+pub use counter_strategy::{CounterStrategy, Standing};
 pub use extract::{ExtractError, extract};
 pub use fairness::trapped;
 pub use keysets::{KeySets, KeySetsBuilder};
+pub use separation::overpowered;
 pub use solve::{Solution, solve, solve_ending};
 pub use strategy::Strategy;
 

@@ -60,6 +60,14 @@ pub struct Node {
     pub span: Span,
 }
 
+impl Node {
+    /// A `strict` message or `wait`: another message of the scenario violates a copy that stands here.
+    #[must_use]
+    pub fn is_strict(&self) -> bool {
+        matches!(self.kind, NodeKind::Message { strict: true, .. } | NodeKind::Wait { strict: true, .. })
+    }
+}
+
 /// The kinds of node.
 #[derive(Clone, Debug)]
 pub enum NodeKind {

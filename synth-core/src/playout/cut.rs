@@ -34,8 +34,8 @@ pub(super) enum Rest {
     Waits,
     /// It is at its end or was interrupted.
     Ended,
-    /// It is violated.
-    Violated,
+    /// It is violated, by this `violation`.
+    Violated(NodeId),
 }
 
 impl Walker<'_> {
@@ -287,7 +287,7 @@ impl Walker<'_> {
                 }
                 NodeKind::Violation(condition) => {
                     if self.holds(condition, span) {
-                        return Some(Rest::Violated);
+                        return Some(Rest::Violated(node));
                     }
                 }
                 NodeKind::Assign(..) => self.run_declaration(node),

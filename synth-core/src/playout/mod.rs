@@ -18,9 +18,11 @@ mod memo;
 mod offers;
 mod pattern;
 mod react;
-mod refusals;
+mod reasons;
 mod relax;
+mod show;
 mod step;
+mod transgressions;
 mod turn;
 
 pub use attempts::Attempt;
@@ -30,8 +32,11 @@ pub(crate) use copies::variables_read;
 pub use copies::{Copy, CopyId};
 pub use events::{Event, EventId};
 pub use keys::{Key, KeyId};
-pub use refusals::Refusal;
+pub use reasons::{Ground, Objection, Reasons, Stake, turn_reason};
+#[cfg(feature = "json")]
+pub(crate) use show::bound_name;
 pub use step::Step;
+pub use transgressions::Transgression;
 pub use turn::{Goal, Move, Moves};
 
 use crate::diagnostic::{Code, Diagnostic};

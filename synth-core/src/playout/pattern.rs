@@ -3,8 +3,8 @@
 use super::events::Event;
 use super::{PlayError, play_error};
 use crate::model::{
-    Argument, ConstraintKind, Failure, Message, NodeId, NodeKind, RoleRef, Scenario, Scope, Spec, Type,
-    UNSET, Value,
+    Argument, Constraint, ConstraintKind, Failure, Message, NodeId, NodeKind, RoleRef, Scenario, Scope, Spec,
+    Type, UNSET, Value,
 };
 use std::cell::Cell;
 
@@ -86,8 +86,8 @@ impl Matcher<'_> {
             })
     }
 
-    /// Whether a constraint of this kind that is in force at the cut matches.
-    pub(super) fn constrained(&self, cut: &[NodeId], kind: ConstraintKind) -> bool {
+    /// The first constraint of this kind that is in force at the cut and matches.
+    pub(super) fn constraint(&self, cut: &[NodeId], kind: ConstraintKind) -> Option<&Constraint> {
         let mut bodies: Vec<NodeId> = Vec::new();
         for &leaf in cut {
             let mut node = leaf;
@@ -98,11 +98,11 @@ impl Matcher<'_> {
         }
         bodies.sort_unstable();
         bodies.dedup();
-        bodies.iter().any(|&body| match &self.scenario.nodes[usize::from(body)].kind {
+        bodies.iter().find_map(|&body| match &self.scenario.nodes[usize::from(body)].kind {
             NodeKind::Body { constraints, .. } => {
-                constraints.iter().any(|c| c.kind == kind && self.is_like(&c.message))
+                constraints.iter().find(|c| c.kind == kind && self.is_like(&c.message))
             }
-            _ => false,
+            _ => None,
         })
     }
 }

@@ -6,6 +6,7 @@ use super::events::{Event, EventId};
 use super::keys::{KeyId, Keys};
 use super::memo::Memo;
 use super::pattern::Matcher;
+use super::reasons::{Breach, Ground};
 use super::{PlayError, ValuationId};
 use crate::model::{Argument, ConstraintKind, Kind, NodeId, NodeKind, RoleRef, Scenario, Spec, UNSET, Value};
 use std::cell::Cell;
@@ -29,8 +30,8 @@ pub(super) struct Outcome {
 /// Violations and mistakes of one stage.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Consequence {
-    /// Scenarios that are violated: for a reaction one or none.
-    pub(super) violated: Vec<usize>,
+    /// How scenarios are violated: for a reaction in one way or none.
+    pub(super) breaches: Vec<Breach>,
     /// The first mistake met.
     pub(super) error: Option<PlayError>,
 }
@@ -123,7 +124,7 @@ enum Reaction {
     Moves(NodeId),
     Stays,
     Ends,
-    Violates,
+    Violates(Ground),
 }
 
 fn reaction(
@@ -137,11 +138,11 @@ fn reaction(
     let scenario = &occasion.spec.scenarios[copy.scenario];
     let mut outcome = Outcome::default();
     let matcher = occasion.matcher(scenario, &copy.roles, &copy.variables, reads_state);
-    let reaction = first_row(&matcher, &copy.cut, copy.strict, &mut outcome.at_once.error);
+    let reaction = first_row(&matcher, &copy.cut, &mut outcome.at_once.error);
     let mut walker = walker(occasion, scenario, reads_state, copy.roles.to_vec(), copy.variables.to_vec());
     walker.cut = copy.cut.to_vec();
     let rest = match reaction {
-        Reaction::Ends | Reaction::Violates => Rest::Ended,
+        Reaction::Ends | Reaction::Violates(_) => Rest::Ended,
         Reaction::Stays => walker.settle(),
         Reaction::Moves(node) => {
             bind(&mut walker, node, occasion.event);
@@ -159,10 +160,10 @@ fn reaction(
     outcome.discharged.sort_unstable();
     let scenario = copy.scenario;
     match reaction {
-        Reaction::Violates if occasion.spec.scenarios[scenario].kind != Kind::Existential => {
-            outcome.at_once.violated.push(scenario);
+        Reaction::Violates(ground) if occasion.spec.scenarios[scenario].kind != Kind::Existential => {
+            outcome.at_once.breaches.push(Breach { scenario, ground });
         }
-        Reaction::Violates | Reaction::Ends => {}
+        Reaction::Violates(_) | Reaction::Ends => {}
         Reaction::Stays | Reaction::Moves(_) => {
             conclude(copies, keys, scenario, walker, rest, &mut outcome);
         }
@@ -170,7 +171,7 @@ fn reaction(
     outcome
 }
 
-fn first_row(matcher: &Matcher<'_>, cut: &[NodeId], strict: bool, error: &mut Option<PlayError>) -> Reaction {
+fn first_row(matcher: &Matcher<'_>, cut: &[NodeId], error: &mut Option<PlayError>) -> Reaction {
     for &node in cut {
         let Some(message) = matcher.scenario.message(node) else { continue };
         match matcher.is_message(message) {
@@ -179,22 +180,27 @@ fn first_row(matcher: &Matcher<'_>, cut: &[NodeId], strict: bool, error: &mut Op
             Err(mistake) => *error = error.take().or(Some(mistake)),
         }
     }
-    let out_of_order = if strict { Reaction::Violates } else { Reaction::Ends };
     for kind in ROWS {
-        if matcher.constrained(cut, kind) {
+        if let Some(constraint) = matcher.constraint(cut, kind) {
             return match kind {
                 ConstraintKind::Ignore => Reaction::Stays,
-                ConstraintKind::Forbidden => Reaction::Violates,
+                ConstraintKind::Forbidden => Reaction::Violates(Ground::Forbidden(constraint.message.span)),
                 ConstraintKind::Interrupt => Reaction::Ends,
-                ConstraintKind::Consider => out_of_order,
+                ConstraintKind::Consider => out_of_order(matcher.scenario, cut),
             };
         }
     }
     if matcher.scenario.messages().any(|message| matcher.is_like(message)) {
-        out_of_order
+        out_of_order(matcher.scenario, cut)
     } else {
         Reaction::Stays
     }
+}
+
+/// What an event does that a copy knows but does not wait for.
+fn out_of_order(scenario: &Scenario, cut: &[NodeId]) -> Reaction {
+    let strict = cut.iter().map(|&node| &scenario.nodes[usize::from(node)]).find(|node| node.is_strict());
+    strict.map_or(Reaction::Ends, |node| Reaction::Violates(Ground::OutOfOrder(node.span)))
 }
 
 fn walker<'a>(
@@ -252,8 +258,11 @@ fn conclude(
                 Identity { scenario, roles: roles.into(), variables: variables.into(), cut: cut.into() };
             outcome.copies.push(copies.intern(spec, keys, identity));
         }
-        Rest::Violated if !is_existential => outcome.in_settling.violated.push(scenario),
-        Rest::Violated | Rest::Ended => {}
+        Rest::Violated(node) if !is_existential => {
+            let ground = Ground::Condition(spec.scenarios[scenario].nodes[usize::from(node)].span);
+            outcome.in_settling.breaches.push(Breach { scenario, ground });
+        }
+        Rest::Violated(_) | Rest::Ended => {}
     }
 }
 

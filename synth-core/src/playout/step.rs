@@ -1,9 +1,11 @@
 //! One step: `step(state, event)` of the language reference, section 3.
 
+use super::copies::CopyId;
 use super::cut::{Rest, Walker};
 use super::events::{Event, EventId};
 use super::keys::KeyId;
 use super::react::{Consequence, Occasion, Outcome, bind_roles, plays};
+use super::reasons::{Breach, Objection};
 use super::{Config, PlayError, Playout, ValuationId, play_error};
 use crate::diagnostic::Code;
 use crate::model::{Effect, Endpoint, Kind, Scope, Spec, UNSET, Value};
@@ -31,8 +33,8 @@ impl Step {
         self.config.copies.extend_from_slice(&outcome.copies);
         self.discharged.extend_from_slice(&outcome.discharged);
         self.completed |= outcome.completed;
-        self.violated.extend_from_slice(&outcome.at_once.violated);
-        settling.violated.extend_from_slice(&outcome.in_settling.violated);
+        self.violated.extend(outcome.at_once.breaches.iter().map(|breach| breach.scenario));
+        settling.breaches.extend_from_slice(&outcome.in_settling.breaches);
         for (all, one) in [(&mut self.error, &outcome.at_once), (&mut settling.error, &outcome.in_settling)] {
             if all.is_none() {
                 all.clone_from(&one.error);
@@ -96,17 +98,17 @@ impl Playout<'_> {
                     };
                     config.copies.push(self.copies.intern(self.spec, &mut self.keys, identity));
                 }
-                Rest::Violated | Rest::Ended if self.followed == Some(index) => {
+                Rest::Violated(_) | Rest::Ended if self.followed == Some(index) => {
                     begin.completed = is_bound && walker.is_completed(rest);
                 }
-                Rest::Violated if !self.is_relaxed(index) => {
+                Rest::Violated(_) if !self.is_relaxed(index) => {
                     return Err(PlayError {
                         code: Code::ViolatedInitially,
                         span: scenario.span,
                         message: format!("scenario `{}` is violated in the initial state", scenario.name),
                     });
                 }
-                Rest::Violated | Rest::Ended => {}
+                Rest::Violated(_) | Rest::Ended => {}
             }
         }
         config.copies.sort_unstable();
@@ -123,25 +125,11 @@ impl Playout<'_> {
         let (valuation, mistake) = self.effects(config.valuation, event);
         step.config.valuation = valuation;
         step.error = mistake;
-        let occasion = Occasion {
-            spec: self.spec,
-            followed: self.followed,
-            id: event,
-            event: self.events.get(event),
-            valuation: config.valuation,
-            before: self.valuations.get(config.valuation),
-            after: self.valuations.get(valuation),
-        };
         let mut settling = Consequence::default();
-        for &copy in &config.copies {
-            let outcome = self.reactions.react(&mut self.copies, &mut self.keys, copy, &occasion);
-            step.add(outcome, &mut settling);
-        }
-        let started = self.reactions.start(&mut self.copies, &mut self.keys, &occasion);
-        step.add(started, &mut settling);
+        self.outcomes(config, event, valuation, |_, outcome| step.add(outcome, &mut settling));
         // Behind a mistake, settling would look at values that are none.
         if step.error.is_none() {
-            step.violated.append(&mut settling.violated);
+            step.violated.extend(settling.breaches.iter().map(|breach| breach.scenario));
             step.error = settling.error;
         }
         for list in [&mut step.config.copies, &mut step.discharged] {
@@ -151,6 +139,53 @@ impl Playout<'_> {
         step.violated.sort_unstable();
         step.violated.dedup();
         self.excuse(step);
+    }
+
+    /// Visits what becomes of every active copy, and then what the event starts. `after` is the valuation behind the
+    /// event's effects.
+    fn outcomes(
+        &mut self,
+        config: &Config,
+        event: EventId,
+        after: ValuationId,
+        mut visit: impl FnMut(Option<CopyId>, &Outcome),
+    ) {
+        let occasion = Occasion {
+            spec: self.spec,
+            followed: self.followed,
+            id: event,
+            event: self.events.get(event),
+            valuation: config.valuation,
+            before: self.valuations.get(config.valuation),
+            after: self.valuations.get(after),
+        };
+        for &copy in &config.copies {
+            visit(Some(copy), self.reactions.react(&mut self.copies, &mut self.keys, copy, &occasion));
+        }
+        visit(None, self.reactions.start(&mut self.copies, &mut self.keys, &occasion));
+    }
+
+    /// How the event violates scenarios in `config`, and the copies that it starts.
+    pub(super) fn breaches(&mut self, config: &Config, event: EventId) -> (Vec<Objection>, Vec<CopyId>) {
+        let (after, mistake) = self.effects(config.valuation, event);
+        let (mut objections, mut in_settling, mut started) = (Vec::new(), Vec::new(), Vec::new());
+        let mut mistaken = mistake.is_some();
+        self.outcomes(config, event, after, |copy, outcome| {
+            let objection =
+                |breach: &Breach| Objection { copy, scenario: breach.scenario, ground: breach.ground };
+            mistaken |= outcome.at_once.error.is_some();
+            objections.extend(outcome.at_once.breaches.iter().map(objection));
+            in_settling.extend(outcome.in_settling.breaches.iter().map(objection));
+            if copy.is_none() {
+                started.extend_from_slice(&outcome.copies);
+            }
+        });
+        if !mistaken {
+            objections.append(&mut in_settling);
+        }
+        objections.retain(|objection| !self.is_relaxed(objection.scenario));
+        objections.sort_by_key(|objection| (objection.scenario, objection.copy));
+        (objections, started)
     }
 
     /// The valuation after the event's effects: those that match in textual order, then the implicit `setX`.

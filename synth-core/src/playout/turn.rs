@@ -139,6 +139,16 @@ impl Playout<'_> {
         owed
     }
 
+    /// The events that active copies want in `config`, executable or not and whoever has the turn: what the system is
+    /// asked to send, and what the environment owes. In the order of their texts.
+    pub fn wanted(&mut self, config: &Config) -> Vec<EventId> {
+        let wishes = self.wishes(config);
+        let of_system = wishes.system.into_iter().chain(wishes.relaxed).map(|wish| wish.1);
+        let mut wanted = of_system.chain(wishes.environment.into_iter().map(|wish| wish.1)).collect();
+        self.sort_by_text(&mut wanted);
+        wanted
+    }
+
     pub(super) fn wishes(&mut self, config: &Config) -> Wishes {
         let mut wishes = Wishes::default();
         let relaxes = !self.relaxed.is_clear();

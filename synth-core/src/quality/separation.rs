@@ -7,7 +7,7 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::explore::Explored;
 use crate::game::Turn;
 use crate::model::{Argument, ConstraintKind, Kind, NodeId, NodeKind, Scenario, Spec, UNSET};
-use crate::playout::{Config, Copy, EventId, Playout, Refusal, Step};
+use crate::playout::{Config, Copy, EventId, Playout, Step, Transgression};
 use crate::syntax::Span;
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
@@ -24,7 +24,7 @@ pub(super) fn breaches(explored: &mut Explored<'_>) -> Vec<Diagnostic> {
     if search.breakable.is_empty() && search.binding.is_empty() {
         return Vec::new();
     }
-    let (mut config, mut refusals) = (Config::default(), Vec::new());
+    let (mut config, mut breaches) = (Config::default(), Vec::new());
     for state in 0..explored.store.len() as u32 {
         let Explored { playout, store, game } = &mut *explored;
         store.load(state, &mut config);
@@ -32,14 +32,14 @@ pub(super) fn breaches(explored: &mut Explored<'_>) -> Vec<Diagnostic> {
         let is_fine = |event: EventId| {
             game.edges_of(state).any(|edge| game.label[edge] == event && target(edge) != Turn::Won)
         };
-        refusals.clear();
-        playout.refusals(&config, game.turn[state as usize], is_fine, &mut refusals);
+        breaches.clear();
+        playout.transgressions(&config, game.turn[state as usize], is_fine, &mut breaches);
         if !search.binding.is_empty() {
             let lost = game.edges_of(state).filter(|&edge| target(edge) == Turn::Lost);
-            refusals.extend(lost.map(|edge| violation(playout, &config, game.label[edge])));
+            breaches.extend(lost.map(|edge| violation(playout, &config, game.label[edge])));
         }
-        for refusal in &refusals {
-            search.look_at(explored, state, &config, refusal);
+        for breach in &breaches {
+            search.look_at(explored, state, &config, breach);
         }
         if search.breakable.is_empty() && search.binding.is_empty() {
             break;
@@ -64,10 +64,10 @@ fn binds(scenario: &Scenario) -> bool {
     scenario.messages().any(|m| m.arguments.iter().any(|argument| matches!(argument, Argument::Bind(_))))
 }
 
-fn violation(playout: &mut Playout<'_>, config: &Config, event: EventId) -> Refusal {
+fn violation(playout: &mut Playout<'_>, config: &Config, event: EventId) -> Transgression {
     let mut step = Step::default();
     playout.step(config, event, &mut step);
-    Refusal { event, violated: step.violated }
+    Transgression { event, violated: step.violated }
 }
 
 struct Search {
@@ -80,25 +80,25 @@ struct Search {
 }
 
 impl Search {
-    fn look_at(&mut self, explored: &mut Explored<'_>, state: u32, config: &Config, refusal: &Refusal) {
+    fn look_at(&mut self, explored: &mut Explored<'_>, state: u32, config: &Config, breach: &Transgression) {
         let spec = explored.playout.spec();
         let is_guarantee = |&scenario: &usize| spec.scenarios[scenario].kind == Kind::Guarantee;
-        for &scenario in &refusal.violated {
+        for &scenario in &breach.violated {
             if self.binding.contains(&scenario)
-                && let Some(warning) = covered(&explored.playout, config, refusal.event, scenario)
+                && let Some(warning) = covered(&explored.playout, config, breach.event, scenario)
             {
                 self.binding.remove(&scenario);
-                self.warn(explored, state, refusal.event, warning);
+                self.warn(explored, state, breach.event, warning);
             }
         }
         // What violates a guarantee, too, is forbidden to the system anyway.
-        if !explored.playout.event(refusal.event).controllable || refusal.violated.iter().any(is_guarantee) {
+        if !explored.playout.event(breach.event).controllable || breach.violated.iter().any(is_guarantee) {
             return;
         }
-        for &scenario in &refusal.violated {
+        for &scenario in &breach.violated {
             if self.breakable.remove(&scenario) {
-                let warning = broken(&mut explored.playout, config, refusal.event, scenario);
-                self.warn(explored, state, refusal.event, warning);
+                let warning = broken(&mut explored.playout, config, breach.event, scenario);
+                self.warn(explored, state, breach.event, warning);
             }
         }
     }

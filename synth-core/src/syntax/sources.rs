@@ -62,6 +62,12 @@ impl Sources {
         self.files.get(file.0 as usize).map_or("", |source| &source.text)
     }
 
+    /// `path:line` of where a span begins.
+    #[must_use]
+    pub fn place(&self, span: Span) -> String {
+        format!("{}:{}", self.path(span.file), span.start.line)
+    }
+
     /// The bytes of [`Self::text`] that `span` covers; what lies beyond the end of a line or of the text is cut off.
     #[must_use]
     pub fn bytes(&self, span: Span) -> Range<usize> {

@@ -1,7 +1,10 @@
 //! Plays that the environment forces, checked against the definition of who wins a play.
 
-use super::{State, game, solved};
-use synth_core::game::{CounterPlay, Game, Loss, Turn, counter_play, solve};
+use super::{State, game, naive, solved};
+use std::collections::BTreeMap;
+use synth_core::game::{
+    CounterPlay, CounterStrategy, Game, Loss, Solution, Standing, Turn, counter_play, solve,
+};
 
 /// Panics unless the play is one of the game, leads through losing states only and is lost as it says.
 pub(crate) fn assert_lost(game: &Game, winning: &[bool], counter: &CounterPlay) {
@@ -36,6 +39,57 @@ pub(crate) fn assert_lost(game: &Game, winning: &[bool], counter: &CounterPlay) 
             assert!(meets(game, key, end, cycle), "the cycle is not fair to assumption {key}");
         }
     }
+}
+
+/// Panics unless the environment's strategy wins whatever the system does: the system does not win the game in which
+/// the environment has no choice but that of its strategy.
+pub(crate) fn assert_forced(game: &Game, solution: &Solution) {
+    let mut strategy = CounterStrategy::new(game, solution).expect("a strategy of the environment");
+    let mut places = vec![strategy.begin()];
+    let mut ids: BTreeMap<Standing, u32> = BTreeMap::from([(places[0], 0)]);
+    let mut played = Game {
+        initial: 0,
+        turn: Vec::new(),
+        silent: Vec::new(),
+        open: Vec::new(),
+        first: vec![0],
+        label: Vec::new(),
+        target: Vec::new(),
+        discharged: Vec::new(),
+        ..game.clone()
+    };
+    let mut next = 0;
+    while let Some(&at) = places.get(next) {
+        next += 1;
+        let state = at.state as usize;
+        let edges: Vec<u32> = if game.turn[state].is_system() {
+            game.edges_of(at.state).map(|edge| edge as u32).collect()
+        } else {
+            strategy.choose(at).into_iter().collect()
+        };
+        let is_silent = edges.is_empty() && game.turn[state].is_environment();
+        assert!(!is_silent || game.silent[state], "the environment may not be silent");
+        played.turn.push(game.turn[state]);
+        played.silent.push(is_silent);
+        played.open.push(game.open[state]);
+        for edge in edges {
+            assert!(game.edges_of(at.state).contains(&(edge as usize)), "edge {edge} does not leave {at:?}");
+            let target = strategy.follow(at, edge);
+            let id = *ids.entry(target).or_insert_with(|| {
+                places.push(target);
+                places.len() as u32 - 1
+            });
+            played.label.push(game.label[edge as usize]);
+            played.target.push(id);
+            played.discharged.push(game.discharged[edge as usize]);
+        }
+        played.first.push(played.target.len() as u32);
+    }
+    let winning = naive::Graph::new(&played).winning(false);
+    assert!(
+        !winning[..places.len()].contains(&true),
+        "the system can win against the environment's strategy"
+    );
 }
 
 /// The state to which the edges lead, one after the other, all of them inside the losing region.

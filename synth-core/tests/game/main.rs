@@ -70,6 +70,7 @@ pub(crate) fn solved(game: &Game) -> Option<Strategy> {
             assert!(!solution.wins(game.initial));
             let counter = counter_play(game, &solution).expect("a play that the environment wins");
             counter::assert_lost(game, &winning, &counter);
+            counter::assert_forced(game, &solution);
             None
         }
     }

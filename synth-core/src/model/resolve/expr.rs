@@ -204,7 +204,13 @@ impl Resolver {
         // An enum literal takes its enum from the other side, so the side that may be one is resolved last.
         let literal_first = self.may_be_literal(left, names);
         let (first, second) = if literal_first { (right, left) } else { (left, right) };
-        let (a, first_ty) = self.expr(first, None, names)?;
+        let Some((a, first_ty)) = self.expr(first, None, names) else {
+            // The other side may have a mistake of its own; a literal just has no enum now.
+            if !self.may_be_literal(second, names) {
+                self.expr(second, None, names);
+            }
+            return None;
+        };
         let (b, second_ty) = self.expr(second, Some(first_ty), names)?;
         let comparable = match (first_ty, second_ty) {
             (Ty::Class(a), Ty::Class(b)) => self.domain.is_a(a, b) || self.domain.is_a(b, a),
@@ -228,10 +234,12 @@ impl Resolver {
         let is_parameter = names.event.as_ref().is_some_and(|(.., parameters)| {
             text == "sender" || text == "receiver" || parameters.iter().any(|(n, _)| n == text)
         });
-        !(is_parameter
-            || names.variables.iter().any(|(n, ..)| n == text)
-            || names.roles.iter().any(|(n, ..)| n == text)
-            || matches!(self.names.get(text), Some((Meaning::Object(_), _))))
+        let is_literal = self.domain.enums.iter().any(|e| e.literals.contains(text));
+        is_literal
+            && !(is_parameter
+                || names.variables.iter().any(|(n, ..)| n == text)
+                || names.roles.iter().any(|(n, ..)| n == text)
+                || matches!(self.names.get(text), Some((Meaning::Object(_), _))))
     }
 
     fn path(&mut self, path: &ast::Path, expected: Option<Ty>, names: &Names) -> Option<(Expr, Ty)> {
@@ -327,5 +335,36 @@ impl Resolver {
         }
         self.unknown("name", name, known.iter().map(String::as_str));
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::resolve;
+    use crate::syntax::{FileId, parse_text};
+
+    /// The mistakes in `wait [condition]`, with their columns from the condition on.
+    #[track_caller]
+    fn check(condition: &str, mistakes: &[(u32, &str)]) {
+        let before = "specification S {
+          domain d { enum E { on, off } class A { e: E  s() } class C { } }
+          object a: A  object c: C  controllable { C }
+          collaboration K { guarantee scenario G { a -> a.s() wait [\n";
+        let (file, errors) = parse_text(&format!("{before}{condition}\n] }} }} }}"), FileId(0));
+        assert_eq!(errors, [], "{condition}");
+        let (_, diagnostics) = resolve(&[file.expect("a tree without errors")]);
+        let found: Vec<(u32, &str)> =
+            diagnostics.iter().map(|each| (each.span.start.column, each.message.as_str())).collect();
+        assert_eq!(found, mistakes, "{condition}");
+    }
+
+    #[test]
+    fn both_sides_of_a_comparison_are_looked_at_from_left_to_right() {
+        check("a.e == on && off != a.e", &[]);
+        check("no == a.e", &[(1, "unknown name `no`")]);
+        check("a.e == no", &[(8, "unknown name `no`")]);
+        check("no == none", &[(1, "unknown name `no`"), (7, "unknown name `none`")]);
+        check("no.e == on", &[(1, "unknown name `no`")]);
+        check("on == no.e", &[(7, "unknown name `no`")]);
     }
 }

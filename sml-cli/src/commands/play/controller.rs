@@ -4,18 +4,19 @@ use synth_core::controller::Controller;
 use synth_core::controller::cycle::{Commands, Machine};
 
 /// A controller at work in a play.
-pub(super) struct Strategy<'c> {
+pub(super) struct Controlled<'c> {
     controller: &'c Controller,
     machine: Machine<'c>,
 }
 
-impl<'c> Strategy<'c> {
+impl<'c> Controlled<'c> {
     pub(super) fn new(controller: &'c Controller) -> Self {
-        Strategy { controller, machine: Machine::new(controller) }
+        Controlled { controller, machine: Machine::new(controller) }
     }
 
-    /// What it does before any event.
+    /// Starts anew: what it does before any event.
     pub(super) fn begin(&mut self) -> Vec<&'c str> {
+        self.machine.reset();
         let first = self.machine.cycle();
         self.super_step(first)
     }

@@ -8,7 +8,7 @@ use crate::model::NodeId;
 
 /// An event of the system that is asked for when the turn is decided, and violates something.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Refusal {
+pub struct Transgression {
     /// The event.
     pub event: EventId,
     /// The scenarios that it violates, as indices, ascending; not empty.
@@ -18,12 +18,12 @@ pub struct Refusal {
 impl Playout<'_> {
     /// The events that guarantees ask for in `config`, as urgently as the turn there or more so, and that violate
     /// something. `turn` is the turn there; events for which `is_fine` holds are known to violate nothing.
-    pub fn refusals(
+    pub fn transgressions(
         &mut self,
         config: &Config,
         turn: Turn,
         is_fine: impl Fn(EventId) -> bool,
-        refusals: &mut Vec<Refusal>,
+        found: &mut Vec<Transgression>,
     ) {
         let decided_by = match turn {
             Turn::SystemCommitted | Turn::EnvironmentCommitted => Urgency::Committed,
@@ -46,7 +46,7 @@ impl Playout<'_> {
             }
             self.step(config, event, &mut step);
             if !step.violated.is_empty() && step.error.is_none() {
-                refusals.push(Refusal { event, violated: std::mem::take(&mut step.violated) });
+                found.push(Transgression { event, violated: std::mem::take(&mut step.violated) });
             }
         }
     }
