@@ -14,6 +14,7 @@
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 use std::path::{Path, PathBuf};
+use synth_core::syntax::read_bounded;
 
 /// A verified controller from a scenario specification, see the [crate] documentation.
 #[proc_macro]
@@ -22,7 +23,8 @@ pub fn sml(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     let mut read_files = Vec::new();
     let package = PathBuf::from(std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
     let mut read = |path: &str| {
-        let bytes = std::fs::read(package.join(path)).map_err(|error| error.to_string())?;
+        let bytes = std::fs::File::open(package.join(path)).and_then(read_bounded);
+        let bytes = bytes.map_err(|error| error.to_string())?;
         read_files.push(path.to_owned());
         Ok(bytes)
     };

@@ -19,5 +19,6 @@ mod intern;
 pub mod model;
 pub mod pipeline;
 pub mod playout;
+mod suggest;
 pub mod syntax;
 pub mod verify;

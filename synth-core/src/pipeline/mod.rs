@@ -198,4 +198,6 @@ fn unrealizable(solved: &Solved<'_>, timings: &mut Timings) -> Failure {
 }
 
 #[cfg(test)]
+mod refusals;
+#[cfg(test)]
 mod tests;
