@@ -80,9 +80,9 @@ impl Resolver {
 
     /// Whether nobody knows all that the class inherits; then what seems wrong with it is no mistake of its own.
     fn is_orphan(&self, class: ClassId) -> bool {
-        std::iter::successors(Some(class), |&c| self.domain.classes[c].base).any(|c| self.orphans.contains(&c))
+        std::iter::successors(Some(class), |&c| self.domain.classes[c].base)
+            .any(|c| self.orphans.contains(&c))
     }
-
 
     fn error(&mut self, code: Code, span: Span, message: impl Into<String>) -> &mut Diagnostic {
         self.diagnostics.push(Diagnostic::error(code, span, message));
@@ -209,9 +209,7 @@ fn foreign(name: &str, what: &str) -> Option<String> {
     let help = match (what, name) {
         ("type", "boolean" | "Boolean" | "Bool" | "BOOL") => "write `bool`".to_owned(),
         ("type", _) if INTEGERS.contains(&name) => "write a range of integers such as `0..=9`".to_owned(),
-        ("type", _) if TEXTS.contains(&name) => {
-            "declare an `enum` with the texts that can occur".to_owned()
-        }
+        ("type", _) if TEXTS.contains(&name) => "declare an `enum` with the texts that can occur".to_owned(),
         ("name", "True" | "TRUE" | "yes") => "write `true`".to_owned(),
         ("name", "False" | "FALSE" | "no") => "write `false`".to_owned(),
         ("name", "None" | "nil" | "NULL" | "Null" | "nullptr") => "write `null`".to_owned(),

@@ -8,7 +8,8 @@ use crate::syntax::ast::{
     Argument, ArgumentKind, Case, Expr, Fragment, FragmentKind, Message, Modality, Modifier,
 };
 
-pub(super) const MODIFIERS: [&str; 6] = ["strict", "monitored", "eventually", "urgent", "requested", "committed"];
+pub(super) const MODIFIERS: [&str; 6] =
+    ["strict", "monitored", "eventually", "urgent", "requested", "committed"];
 
 impl Reader {
     pub(super) fn fragment(&self, input: ParseStream<'_>) -> Result<Fragment> {

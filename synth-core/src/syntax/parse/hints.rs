@@ -149,7 +149,8 @@ impl Reader {
             cursor = rest;
         }
         let mut ordered: Vec<&str> = MODIFIERS.iter().copied().filter(|one| found.contains(one)).collect();
-        let modalities = ordered.split_off(ordered.iter().take_while(|one| MODIFIERS[..2].contains(one)).count());
+        let modalities =
+            ordered.split_off(ordered.iter().take_while(|one| MODIFIERS[..2].contains(one)).count());
         if modalities.len() > 1 {
             let choices: Vec<String> = modalities.iter().map(|one| format!("`{one}`")).collect();
             return format!("write only one of {}", choices.join(" and "));

@@ -141,7 +141,12 @@ impl Reader {
     }
 
     /// The error that `what` should come next, which begins with one of `words`.
-    pub(super) fn expected_word(&self, input: ParseStream<'_>, what: &str, words: &[&str]) -> Box<Diagnostic> {
+    pub(super) fn expected_word(
+        &self,
+        input: ParseStream<'_>,
+        what: &str,
+        words: &[&str],
+    ) -> Box<Diagnostic> {
         let mut error = self.expected(input, what);
         error.help = self.misspelt(input, words).or(error.help);
         error

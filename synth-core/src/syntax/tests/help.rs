@@ -90,7 +90,9 @@ fn misspelt_scenarios() {
     check_item("assumtion scenario S { a -> b.c() }\n~~~~~~~~~ write `assumption`");
     check_item("existencial scenario S { a -> b.c() }\n~~~~~~~~~~~ write `existential`");
     check_item("guarantee scenaro S { a -> b.c() }\n          ~~~~~~~ write `scenario`");
-    check_item("guarantee scenario S bindngs [a = b] { a -> b.c() }\n                     ~~~~~~~ write `bindings`");
+    check_item(
+        "guarantee scenario S bindngs [a = b] { a -> b.c() }\n                     ~~~~~~~ write `bindings`",
+    );
     check_item(
         "scenario S { a -> b.c() }\n~~~~~~~~ write `guarantee scenario`, `assumption scenario` or `existential scenario`",
     );
@@ -98,7 +100,9 @@ fn misspelt_scenarios() {
     check_item("dynamc role A a\n~~~~~~ write `dynamic`");
     check_item("dynamic rol A a\n        ~~~ write `role`");
     check_item("eventually a -> b.c()\n~~~~~~~~~~ put messages into the body of a scenario");
-    check_item("constraints [ ]\n~~~~~~~~~~~ move it behind the body of a scenario: `{ … } constraints [ … ]`");
+    check_item(
+        "constraints [ ]\n~~~~~~~~~~~ move it behind the body of a scenario: `{ … } constraints [ … ]`",
+    );
     check_item("channels { }\n~~~~~~~~ close the collaboration before the next section begins");
 }
 
@@ -126,9 +130,15 @@ fn misspelt_fragments() {
 #[test]
 fn misspelt_constraints() {
     check_body("{ a -> b.c() } constraint [ ]\n               ~~~~~~~~~~ write `constraints`");
-    check_item("guarantee scenario S { a -> b.c() } contraints [ ]\n                                    ~~~~~~~~~~ write `constraints`");
-    check_body("{ a -> b.c() } constraints [ forbiden a -> b.c() ]\n                             ~~~~~~~~ write `forbidden`");
-    check_body("{ a -> b.c() } constraints [ a -> b.c() ]\n                             ~ write one of them before the message");
+    check_item(
+        "guarantee scenario S { a -> b.c() } contraints [ ]\n                                    ~~~~~~~~~~ write `constraints`",
+    );
+    check_body(
+        "{ a -> b.c() } constraints [ forbiden a -> b.c() ]\n                             ~~~~~~~~ write `forbidden`",
+    );
+    check_body(
+        "{ a -> b.c() } constraints [ a -> b.c() ]\n                             ~ write one of them before the message",
+    );
     check_body("forbidden a -> b.c()\n~~~~~~~~~ move it behind a body: `{ … } constraints [ forbidden … ]`");
     check_body(
         "interrupt a -> b.c()\n          ~ move a constraint behind the body: `{ … } constraints [ interrupt … ]`, or write a condition in `[ … ]`",
@@ -139,7 +149,9 @@ fn misspelt_constraints() {
 fn words_of_other_languages() {
     check_body("if [a] { a -> b.c() }\n~~ write `alternative [ … ] { … }`");
     check_body("if (a) { a -> b.c() }\n~~ write `alternative [ … ] { … }`");
-    check_body("alternative [a] { a -> b.c() } else { a -> b.c() }\n                               ~~~~ write `or`");
+    check_body(
+        "alternative [a] { a -> b.c() } else { a -> b.c() }\n                               ~~~~ write `or`",
+    );
     check_body("loop { a -> b.c() }\n~~~~ write `while`");
     check_body("par { a -> b.c() }\n~~~ write `parallel`");
 }
@@ -188,7 +200,14 @@ fn conditions() {
 
 #[test]
 fn names_that_look_like_operators() {
-    for body in ["wait [not]", "x = not not -> b.c()", "x = a is -> b.c()", "not -> b.c()", "x = not y = not", "wait [a == not]"] {
+    for body in [
+        "wait [not]",
+        "x = not not -> b.c()",
+        "x = a is -> b.c()",
+        "not -> b.c()",
+        "x = not y = not",
+        "wait [a == not]",
+    ] {
         let text = format!("specification X {{ collaboration C {{ guarantee scenario S {{ {body} }} }} }}");
         assert_eq!(parse(&text).1, [], "{text}");
     }
@@ -199,7 +218,9 @@ fn assignments_and_variables() {
     check_body("x := 3\n  ~~ write `=` instead of `:=`");
     check_body("var x = 3\n      ~ write the type before the name: `var bool name = …`");
     check_body("var x: bool\n     ~ write the type before the name: `var bool name = …`");
-    check_section("effects { A -> B.c() { receiver.x := 1 } }\n                                  ~~ write `=` instead of `:=`");
+    check_section(
+        "effects { A -> B.c() { receiver.x := 1 } }\n                                  ~~ write `=` instead of `:=`",
+    );
     check_section("object a: A { x = 3 }\n                ~ write `:` instead of `=`");
     check_class("a = bool\n  ~ write `:` instead of `=`");
     check_class("bool a\n~~~~ write the name before the type: `name: type`");

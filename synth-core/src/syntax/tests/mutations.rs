@@ -33,7 +33,8 @@ fn tokens(text: &str) -> Vec<std::ops::Range<usize>> {
                 at += 1;
             }
             tokens.push(start..at);
-        } else if ["->", "==", "!=", "&&", "||", "=>", "<=", ">="].iter().any(|op| text[at..].starts_with(op)) {
+        } else if ["->", "==", "!=", "&&", "||", "=>", "<=", ">="].iter().any(|op| text[at..].starts_with(op))
+        {
             at += 2;
             tokens.push(start..at);
         } else {
