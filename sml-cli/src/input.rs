@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use synth_core::controller::Controller;
 use synth_core::controller::json::from_json;
 use synth_core::diagnostic::Code;
-use synth_core::syntax::{Loaded, load, read_bounded};
+use synth_core::syntax::{Loaded, Pos, load, read_bounded};
 
 /// The name by which messages speak of an input.
 pub(crate) fn name(path: &Path) -> String {
@@ -21,7 +21,20 @@ pub(crate) fn is_stdin(path: &Path) -> bool {
 /// A controller as `sml synth` writes it.
 pub(crate) fn controller(path: &Path) -> Result<Controller, Failure> {
     let text = text(path, Code::MalformedController)?;
-    from_json(&text).map_err(|why| Failure::malformed(Code::MalformedController, &name(path), &why))
+    from_json(&text).map_err(|why| {
+        let (why, place) = place_of(&why);
+        Failure::malformed_at(Code::MalformedController, &name(path), why, place)
+    })
+}
+
+/// Takes the place out of a message of the JSON reader.
+fn place_of(why: &str) -> (&str, Option<Pos>) {
+    let place = || {
+        let (why, place) = why.rsplit_once(" at line ")?;
+        let (line, column) = place.split_once(" column ")?;
+        Some((why, Pos { line: line.parse().ok()?, column: column.parse::<u32>().ok()?.max(1) }))
+    };
+    place().map_or((why, None), |(why, place)| (why, Some(place)))
 }
 
 /// Refuses to read stdin for several things.

@@ -7,6 +7,7 @@ use std::io::IsTerminal;
 use std::path::Path;
 use std::time::Duration;
 use synth_core::controller::{Controller, Level};
+use synth_core::diagnostic::counted;
 use synth_core::existential::{Existential, existential};
 use synth_core::explore::{Explored, explore};
 use synth_core::model::Spec;
@@ -146,7 +147,8 @@ impl Session {
         }
         line("total", self.timings.0.iter().map(|stage| stage.1).sum());
         if let Some(Size { states, edges, bytes }) = &self.size {
-            output::note(&format!("{states} states, {edges} transitions, {bytes} bytes"));
+            let (states, edges) = (counted(*states, "state"), counted(*edges, "transition"));
+            output::note(&format!("{states}, {edges}, {}", counted(*bytes, "byte")));
         }
     }
 }

@@ -6,6 +6,7 @@
 
 use super::Controller;
 use super::cycle::Machine;
+use crate::diagnostic::counted;
 use std::fmt::Write;
 
 /// Runs a controller through a stimulus.
@@ -58,7 +59,8 @@ fn columns(controller: &Controller, header: &str) -> Result<Vec<u32>, String> {
 fn raise(machine: &mut Machine<'_>, events: &[u32], line: &str) -> Result<(), String> {
     let fields = fields(line)?;
     if fields.len() != events.len() {
-        return Err(format!("{} fields, but the header names {} events", fields.len(), events.len()));
+        let (found, named) = (counted(fields.len(), "field"), counted(events.len(), "event"));
+        return Err(format!("{found}, but the header names {named}"));
     }
     for (field, &event) in fields.iter().zip(events) {
         match field.as_str() {

@@ -4,13 +4,15 @@
 //! component. The product could not see a breach: it looks rows up in one of several possible ways.
 
 use crate::controller::{Component, Controller, Event};
+use crate::diagnostic::counted;
 
 /// What is wrong, if anything.
 pub(super) fn fault(controller: &Controller) -> Option<String> {
     let Controller { states, initial, events, commands, components, environment, super_steps, .. } =
         controller;
     let below = |state: u32, what: &str| {
-        (state >= *states).then(|| format!("{what} is {state}, but there are only {states} states"))
+        let all = || counted(*states as usize, "state");
+        (state >= *states).then(|| format!("{what} is {state}, but the controller has {}", all()))
     };
     below(*initial, "the initial state")
         .or_else(|| ascending_texts(events))
