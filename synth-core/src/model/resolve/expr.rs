@@ -72,7 +72,8 @@ impl Resolver {
             && !(low..=high).contains(&constant)
         {
             let message = format!("`{constant}` is not in the range `{low}..={high}`");
-            self.error(Code::OutOfRange, expr.span, message);
+            self.error(Code::OutOfRange, expr.span, message).help =
+                Some("write a value of the range, or widen it where it is declared".to_owned());
             return None;
         }
         Some(value)
