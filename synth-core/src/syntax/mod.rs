@@ -43,7 +43,7 @@ pub fn parse_text(text: &str, file: FileId) -> (Option<ast::File>, Vec<Diagnosti
         Ok(parsed) => parsed,
         Err(error) => Parsed { tree: None, errors: vec![*error], unbraced: None },
     };
-    if surplus && let Some(place) = unbraced {
+    if surplus && let Some(place) = unbraced.filter(|&place| cut.is_none_or(|cut| place < cut)) {
         // The grammar knows better where braces went wrong than whoever counts them.
         found.retain(|d| d.span.start <= place);
         errors.retain(|d| d.code != Code::Delimiter);
