@@ -170,11 +170,12 @@ fn uses(row: &str, text: &str) -> bool {
     let cell = row.trim_start_matches('|').split(" | ").next().unwrap_or_default();
     let used = words(text);
     let spellings: Vec<&str> = cell.split('`').skip(1).step_by(2).collect();
-    spellings.iter().any(|spelling| {
-        let told = words(spelling).into_iter().filter(|word| TELLING.contains(word));
-        told.into_iter().all(|word| used.contains(&word))
-            && ["*", "..=", "="].iter().all(|sign| !spelling.contains(sign) || text.contains(sign))
-    })
+    spellings.is_empty()
+        || spellings.iter().any(|spelling| {
+            let told = words(spelling).into_iter().filter(|word| TELLING.contains(word));
+            told.into_iter().all(|word| used.contains(&word))
+                && ["*", "..=", "="].iter().all(|sign| !spelling.contains(sign) || text.contains(sign))
+        })
 }
 
 #[test]
