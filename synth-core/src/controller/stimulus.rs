@@ -203,7 +203,7 @@ mod tests {
     #[test]
     fn malformed_rows() {
         let header = "env -> ctl.a(),env -> ctl.b()\n1,0\n";
-        check_error(&format!("{header}1\n"), "line 3: 1 fields, but the header names 2 events");
+        check_error(&format!("{header}1\n"), "line 3: 1 field, but the header names 2 events");
         check_error(&format!("{header}1,0,0\n"), "line 3: 3 fields, but the header names 2 events");
         check_error(&format!("{header}\n1,2\n"), "line 4: `2` is neither 0 nor 1");
         check_error(&format!("{header}1,\n"), "line 3: `` is neither 0 nor 1");
