@@ -121,11 +121,17 @@ mod tests {
     fn every_rule() {
         check(|_| {}, "fine");
         check(|c| c.initial = 2, "the initial state is 2, but the controller has 2 states");
-        check(|c| c.environment[1][0].1 = 5, "a state of `a -> c.on()` is 5, but the controller has 2 states");
+        check(
+            |c| c.environment[1][0].1 = 5,
+            "a state of `a -> c.on()` is 5, but the controller has 2 states",
+        );
         check(|c| c.environment[1].push((0, 0)), "the table of `a -> c.on()` has state 0 behind state 0");
         check(|c| drop(c.environment.pop()), "an event has no table");
         check(|c| c.events.swap(0, 1), "`a -> c.on()` does not stand in front of `a -> c.off()`");
-        check(|c| c.super_steps[0].target = 9, "a state of a super step is 9, but the controller has 2 states");
+        check(
+            |c| c.super_steps[0].target = 9,
+            "a state of a super step is 9, but the controller has 2 states",
+        );
         check(
             |c| c.super_steps.push(c.super_steps[0].clone()),
             "the table of super steps has state 1 behind state 1",

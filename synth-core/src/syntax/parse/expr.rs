@@ -121,7 +121,7 @@ impl Reader {
         input.peek(syn::token::Paren)
             || self.word(input).is_some_and(|word| !keywords::is_reserved(&word))
                 && !input.peek2(Token![->])
-                && !(input.peek2(Token![=]) && !input.peek2(Token![==]))
+                && (input.peek2(Token![==]) || !input.peek2(Token![=]))
     }
 
     /// `true | false | int | null | ID | ID : ID`.

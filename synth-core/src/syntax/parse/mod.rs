@@ -86,7 +86,8 @@ impl Reader {
                 let mut error = self.expected(input, "the end of the file");
                 if let Some((_, span)) = &sections {
                     let end = Pos { column: span.end.column.saturating_sub(1), ..span.end };
-                    error = Box::new(error.also(Span { start: end, ..*span }, "the specification ends here"));
+                    let place = Span { start: end, ..*span };
+                    error.labels.push((place, "the specification ends here".to_owned()));
                 }
                 self.report(*error);
             }
