@@ -10,11 +10,11 @@ use proc_macro2::{Span, TokenStream};
 use sml_tests::{corpus, fast};
 use synth_core::controller::json::to_json;
 use synth_core::controller::tables::{Provenance, Tables};
+use synth_core::diagnostic;
 use synth_core::embed::{self, Expander};
 use synth_core::emit::{dot, mermaid, rust, st};
 use synth_core::pipeline::{Failure, Options, Timings, compile, specification, synthesize};
 use synth_core::syntax::{FileId, load_imports, parse_tokens};
-use synth_core::{diagnostic, embed};
 
 /// All outputs of a specification by name; those of an unrealizable one are its diagnostics and its game.
 fn outputs(text: &str) -> BTreeMap<&'static str, String> {

@@ -159,9 +159,7 @@ fn duplicate_names_at_the_second() {
         "object x: Lamp { lit: true lit: false }\n                           ~~~ 21 value of `lit` is declared a second time",
     );
     check_section(
-        "effects { lamp -> control.level(a, a) { } }\n                                   ~ 23 `level` takes 1 argument, but 2 are given"
-            .replace("                                   ~", "                          ~~~~~")
-            .as_str(),
+        "effects { lamp -> control.level(a, a) { } }\n                          ~~~~~ 23 `level` takes 1 argument, but 2 are given",
     );
     check_item("dynamic role Lamp lamp\n                  ~~~~ 21 role `lamp` is declared a second time");
     check_item(
@@ -204,8 +202,9 @@ fn wrong_types() {
     check_item("static role User lamp\n            ~~~~ 22 object `lamp` is no `User`");
     check_body("wait [lamp]\n      ~~~~ 22 expected `bool`, found an object of `Lamp`");
     check_body("wait [lamp.lit + 1 > 0]\n      ~~~~~~~~ 22 expected an integer, found `bool`");
-    check_body("wait [lamp.lit < true]\n      ~~~~~~~~ 22 expected an integer, found `bool`\n                 ~~~~ 22 expected an integer, found `bool`"
-        .replace("\n                 ~~~~ 22", "\n                 ~~~~ 22").as_str());
+    check_body(
+        "wait [lamp.lit < true]\n      ~~~~~~~~ 22 expected an integer, found `bool`\n                 ~~~~ 22 expected an integer, found `bool`",
+    );
     check_body(
         "wait [lamp == user]\n              ~~~~ 22 expected an object of `Lamp`, found an object of `User`",
     );
@@ -344,15 +343,20 @@ fn assumptions_that_oblige_the_system() {
 /// One mistake, one error: what follows from it is not told.
 #[test]
 fn one_cause_one_error() {
-    check_domain("domain { class Lapm { } class A : Lamp { } }\nobject a: A\ncollaboration C { static role Lamp a guarantee scenario G { a -> control.setCount(1) urgent control -> a.setX(1) wait [a.x == 1] } }"
-        .replace("\nobject a", "\n                                  ~~~~ 20 unknown class `Lamp`\nobject a").as_str());
+    check_domain(
+        "domain { class Lapm { } class A : Lamp { } }
+                                  ~~~~ 20 unknown class `Lamp`
+object a: A
+collaboration C {
+  static role Lamp a
+  guarantee scenario G { a -> control.setCount(1) urgent control -> a.setX(1) wait [a.x == 1] }
+}",
+    );
     check_domain(
         "domain { class L { c: Colour } }
                       ~~~~~~ 20 unknown type `Colour`
 object l: L { c: red }
-collaboration C { guarantee scenario G { l -> control.setC(red) wait [l.c == red] } }"
-            .replace("l -> control.setC", "control -> l.setC")
-            .as_str(),
+collaboration C { guarantee scenario G { control -> l.setC(red) wait [l.c == red] } }",
     );
     check_item(
         "dynamic role Lmap a
@@ -367,12 +371,9 @@ urgent control -> lmap.on()
 wait [x == 3]",
     );
     check_body(
-        "while { some -> control.prss() }
-                        ~~~~ 20 unknown operation of class `Control`: `prss`
-urgent control -> some.on()"
-            .replace("while { some -> control.prss() }", "some -> control.prss()        ")
-            .replace("                        ~~~~", "                ~~~~")
-            .as_str(),
+        "some -> control.prss()
+                ~~~~ 20 unknown operation of class `Control`: `prss`
+urgent control -> some.on()",
     );
     check_section(
         "effects { user -> control.press() { receiver.cnt = 1 } }
