@@ -6,7 +6,7 @@ use serde_json::json;
 use std::process::ExitCode;
 use synth_core::diagnostic::{Code, Diagnostic, render, to_json};
 use synth_core::pipeline;
-use synth_core::syntax::{Loaded, Sources, Span};
+use synth_core::syntax::{Loaded, Pos, Sources, Span};
 
 /// The published exit codes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -66,6 +66,16 @@ impl Failure {
     /// An input that is not a specification and is malformed.
     pub(crate) fn malformed(code: Code, path: &str, why: &str) -> Self {
         Failure::new(Exit::Wrong, nowhere(code, format!("`{path}`: {why}")))
+    }
+
+    /// As [`Failure::malformed`], at a place of that file, whose text is not shown.
+    pub(crate) fn malformed_at(code: Code, path: &str, why: &str, place: Option<Pos>) -> Self {
+        let mut sources = Sources::new();
+        let file = sources.add(path, "");
+        let start = place.unwrap_or_default();
+        let span = Span { file, start, end: start };
+        let diagnostic = Diagnostic::error(code, span, format!("`{path}`: {why}"));
+        Failure { exit: Exit::Wrong, diagnostics: vec![diagnostic], sources }
     }
 
     /// A file that cannot be opened.

@@ -7,7 +7,7 @@ use std::io::IsTerminal;
 use std::path::Path;
 use std::time::Duration;
 use synth_core::controller::{Controller, Level};
-use synth_core::diagnostic::Diagnostic;
+use synth_core::diagnostic::{Diagnostic, counted};
 use synth_core::existential::{Existential, existential};
 use synth_core::explore::{Explored, explore};
 use synth_core::model::Spec;
@@ -171,7 +171,8 @@ impl Session {
         }
         line("total", self.timings.0.iter().map(|stage| stage.1).sum());
         if let Some(Size { states, edges, bytes }) = &self.size {
-            output::note(&format!("{states} states, {edges} transitions, {bytes} bytes"));
+            let (states, edges) = (counted(*states, "state"), counted(*edges, "transition"));
+            output::note(&format!("{states}, {edges}, {}", counted(*bytes, "byte")));
         }
     }
 }

@@ -9,11 +9,14 @@
 //!
 //! Both expand to `pub mod <specification>`; what is in there is described by the crate `controller-template`, which
 //! the invoking crate must depend on. A specification that is wrong or that no controller can meet is a compile error
-//! at the token that is to blame. For more than 200,000 states use a build script.
+//! at the token that is to blame. For more than 100,000 states use a build script, also for more than 10,000 in an editor:
+//! rust-analyzer expands macros at every key, and gets the advice instead of a controller.
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 use std::path::{Path, PathBuf};
+use synth_core::embed::{self, Expander};
+use synth_core::syntax::read_bounded;
 
 /// A verified controller from a scenario specification, see the [crate] documentation.
 #[proc_macro]
@@ -22,14 +25,16 @@ pub fn sml(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     let mut read_files = Vec::new();
     let package = PathBuf::from(std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
     let mut read = |path: &str| {
-        let bytes = std::fs::read(package.join(path)).map_err(|error| error.to_string())?;
+        let bytes = std::fs::File::open(package.join(path)).and_then(read_bounded);
+        let bytes = bytes.map_err(|error| error.to_string())?;
         read_files.push(path.to_owned());
         Ok(bytes)
     };
+    let expander = Expander::of(&std::env::current_exe().unwrap_or_default());
     let module = match Input::of(&tokens) {
-        Input::Specification => synth_core::embed::inline(&tokens, &mut read),
+        Input::Specification => embed::inline(&tokens, expander, &mut read),
         Input::Path(span, path) => match read(&path) {
-            Ok(bytes) => synth_core::embed::file(&path, &bytes, span, &mut read),
+            Ok(bytes) => embed::file(&path, &bytes, span, expander, &mut read),
             Err(why) => {
                 let why =
                     format!("`{path}` cannot be read: {why}\n  help: paths are relative to the package");

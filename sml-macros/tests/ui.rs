@@ -14,6 +14,8 @@ fn bring_specifications() -> std::io::Result<()> {
         let entry = entry?;
         fs::copy(entry.path(), folder.join(entry.file_name()))?;
     }
+    let wide: Vec<u8> = "specification Door { }\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    fs::write(folder.join("utf16.sml"), [&[0xFF, 0xFE][..], &wide].concat())?;
     // No editor would leave it as it is.
     fs::write(folder.join("latin1.sml"), b"// T\xfcr\nspecification Door { }\n")
 }

@@ -19,7 +19,7 @@ use crate::emit::rust;
 use crate::explore::Limits;
 use crate::pipeline::{Options, Timings, compile_with_warnings as run};
 use crate::quality::{Policy, Warning};
-use crate::syntax::{Sources, load};
+use crate::syntax::{Sources, load, read_bounded};
 use std::path::{Path, PathBuf};
 use std::{env, fs, io, process};
 
@@ -153,7 +153,8 @@ fn folder(variable: &str) -> Result<PathBuf, String> {
 /// Reads a file and has Cargo watch it, there or not.
 fn read(package: &Path, path: &str) -> Result<Vec<u8>, String> {
     println!("cargo::rerun-if-changed={path}");
-    fs::read(package.join(path)).map_err(|error| error.to_string())
+    let bytes = fs::File::open(package.join(path)).and_then(read_bounded);
+    bytes.map_err(|error| error.to_string())
 }
 
 /// Writes the whole file or nothing, and leaves one that is the same alone.

@@ -6,26 +6,51 @@ use crate::explore::Limits;
 use crate::pipeline::{Options, Timings, compile};
 use crate::syntax::{Loaded, Reader, load, load_imports, parse_tokens};
 use proc_macro2::{Span, TokenStream};
+use std::path::Path;
 
-/// More states than this are left to a build script, so that an editor that expands the macro does not hang.
-pub const MACRO_STATES: usize = 200_000;
+/// Who waits for the macro, and so how many states it may take.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Expander {
+    /// `rustc`, which runs a macro unoptimised: 0.08 ms a state.
+    Compiler,
+    /// An editor, at every key.
+    Editor,
+}
+
+impl Expander {
+    /// The expander of this process: rust-analyzer runs macros in processes of its own, named after it.
+    #[must_use]
+    pub fn of(executable: &Path) -> Expander {
+        let name = executable.file_name().unwrap_or_default().to_string_lossy();
+        if name.contains("rust-analyzer") { Expander::Editor } else { Expander::Compiler }
+    }
+
+    /// More states than this are left to a build script.
+    #[must_use]
+    pub fn states(self) -> usize {
+        match self {
+            Expander::Compiler => 100_000,
+            Expander::Editor => 10_000,
+        }
+    }
+
+    fn options(self) -> Options {
+        Options { limits: Limits { states: self.states(), ..Limits::default() }, ..Options::default() }
+    }
+}
 
 /// What outputs name as the file of a specification that has none.
 const INLINE: &str = "sml!";
-
-fn options() -> Options {
-    Options { limits: Limits { states: MACRO_STATES, ..Limits::default() }, ..Options::default() }
-}
 
 /// The controller of a specification written in the macro, or a `compile_error!` at each token that is wrong.
 ///
 /// `read` is asked for imported files, relative to the folder of the package.
 #[must_use]
-pub fn inline(tokens: &TokenStream, read: Reader<'_>) -> TokenStream {
+pub fn inline(tokens: &TokenStream, expander: Expander, read: Reader<'_>) -> TokenStream {
     let (file, diagnostics) = parse_tokens(tokens.clone(), Loaded::MAIN);
     let mut loaded = file.map_or_else(Loaded::default, |file| load_imports(INLINE, file, read));
     loaded.diagnostics.splice(0..0, diagnostics);
-    controller(&loaded).unwrap_or_else(|diagnostics| {
+    controller(&loaded, expander).unwrap_or_else(|diagnostics| {
         let diagnostics = diagnostics.into_iter().map(advise_inline).collect::<Vec<_>>();
         compile_errors(&diagnostics, tokens, &loaded)
     })
@@ -33,25 +58,33 @@ pub fn inline(tokens: &TokenStream, read: Reader<'_>) -> TokenStream {
 
 /// The controller of a specification in a file, or a `compile_error!` at `span` for each mistake that shows its place.
 #[must_use]
-pub fn file(path: &str, bytes: &[u8], span: Span, read: Reader<'_>) -> TokenStream {
+pub fn file(path: &str, bytes: &[u8], span: Span, expander: Expander, read: Reader<'_>) -> TokenStream {
     let loaded = load(path, bytes, read);
-    controller(&loaded).unwrap_or_else(|diagnostics| compile_errors_at(span, &diagnostics, &loaded.sources))
+    controller(&loaded, expander)
+        .unwrap_or_else(|diagnostics| compile_errors_at(span, &diagnostics, &loaded.sources))
 }
 
-fn controller(loaded: &Loaded) -> Result<TokenStream, Vec<Diagnostic>> {
-    match compile(loaded, &options(), &mut Timings::default()) {
+fn controller(loaded: &Loaded, expander: Expander) -> Result<TokenStream, Vec<Diagnostic>> {
+    match compile(loaded, &expander.options(), &mut Timings::default()) {
         Ok(tables) => Ok(rust::module(&tables, &rust::Options::default())),
-        Err(failure) => Err(failure.diagnostics().into_iter().map(|d| advise(d, loaded)).collect()),
+        Err(failure) => Err(failure.diagnostics().into_iter().map(|d| advise(d, loaded, expander)).collect()),
     }
 }
 
 /// A limit cannot be raised in a macro, but in a build script.
-fn advise(diagnostic: Diagnostic, loaded: &Loaded) -> Diagnostic {
+fn advise(diagnostic: Diagnostic, loaded: &Loaded, expander: Expander) -> Diagnostic {
     if diagnostic.code != Code::LimitReached {
         return diagnostic;
     }
     let file = loaded.sources.path(Loaded::MAIN);
     let file = if file == INLINE { "cell.sml" } else { file };
+    let diagnostic = match expander {
+        Expander::Compiler => diagnostic,
+        Expander::Editor => diagnostic.note(format!(
+            "this is the limit of the macro in an editor; the compiler goes on to {} states",
+            Expander::Compiler.states()
+        )),
+    };
     diagnostic.help(format!("move it to a build script: `synth_core::build::compile({file:?})`"))
 }
 
@@ -80,7 +113,38 @@ mod tests {
         let loaded = load(path, b"", &mut |_| Err(String::new()));
         let limit =
             Diagnostic::error(Code::LimitReached, Span::default(), "too large").help("raise `--max-states`");
-        assert_eq!(advise(limit, &loaded).help.as_deref(), Some(expect));
+        for expander in [Expander::Compiler, Expander::Editor] {
+            assert_eq!(advise(limit.clone(), &loaded, expander).help.as_deref(), Some(expect));
+        }
+    }
+
+    #[test]
+    fn editors_are_told_from_compilers() {
+        let of = |path: &str| Expander::of(Path::new(path));
+        assert_eq!(of("/toolchain/libexec/rust-analyzer-proc-macro-srv"), Expander::Editor);
+        assert_eq!(of("/extension/rust-analyzer"), Expander::Editor);
+        assert_eq!(of("/toolchain/bin/rustc"), Expander::Compiler);
+        assert_eq!(of("/home/rust-analyzer/bin/rustc"), Expander::Compiler);
+        assert_eq!(of(""), Expander::Compiler);
+    }
+
+    #[test]
+    fn an_editor_waits_for_fewer_states() {
+        // Fourteen lamps, each switched by a user of its own: 2^14 states.
+        let lamps: String = (0..14).map(|i| format!("object lamp{i}: Lamp object user{i}: User ")).collect();
+        let scenarios: String =
+            (0..14).map(|i| format!("guarantee scenario S{i} {{ user{i} -> lamp{i}.setLit(*) }} ")).collect();
+        let text = format!(
+            "specification Lamps {{ domain {{ class Lamp {{ lit: bool }} class User {{ }} class Control {{ }} }} {lamps} \
+             controllable {{ Control }} collaboration C {{ {scenarios} }} }}"
+        );
+        let tokens: TokenStream = text.parse().expect("tokens");
+        let shown = inline(&tokens, Expander::Editor, &mut |_| Err(String::new())).to_string();
+        for part in
+            ["the limit of 10000 states was reached", "move it to a build script", "goes on to 100000"]
+        {
+            assert!(shown.contains(part), "{shown}");
+        }
     }
 
     #[test]

@@ -20,5 +20,6 @@ pub mod model;
 pub mod pipeline;
 pub mod playout;
 pub mod quality;
+mod suggest;
 pub mod syntax;
 pub mod verify;

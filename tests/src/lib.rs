@@ -8,4 +8,5 @@ pub mod random;
 pub mod reference;
 pub mod same;
 pub mod scratch;
+pub mod survive;
 pub mod tables;

@@ -7,6 +7,7 @@
 //! of play-out (an attribute out of its range, a path through `null`), since no static rule excludes that.
 
 mod body;
+pub mod grammar;
 mod world;
 
 use body::Writer;

@@ -10,10 +10,11 @@ use proc_macro2::{Span, TokenStream};
 use sml_tests::{corpus, fast};
 use synth_core::controller::json::to_json;
 use synth_core::controller::tables::{Provenance, Tables};
+use synth_core::diagnostic;
+use synth_core::embed::{self, Expander};
 use synth_core::emit::{dot, mermaid, rust, st};
 use synth_core::pipeline::{Failure, Options, Timings, compile, specification, synthesize};
 use synth_core::syntax::{FileId, load_imports, parse_tokens};
-use synth_core::{diagnostic, embed};
 
 /// All outputs of a specification by name; those of an unrealizable one are its diagnostics and its game.
 fn outputs(text: &str) -> BTreeMap<&'static str, String> {
@@ -114,9 +115,10 @@ fn from_tokens_and_from_a_file() {
         assert_eq!(Tables { provenance, ..inline }, file, "{}", entry.name);
 
         let mut read = |path: &str| Err(format!("{path}: the corpus imports nothing"));
-        let inline = embed::inline(&tokens, &mut read).to_string();
+        let inline = embed::inline(&tokens, Expander::Compiler, &mut read).to_string();
         let bytes = entry.text.as_bytes();
-        let file = embed::file("spec.sml", bytes, Span::call_site(), &mut read).to_string();
+        let file =
+            embed::file("spec.sml", bytes, Span::call_site(), Expander::Compiler, &mut read).to_string();
         assert_eq!(inline, file, "{}", entry.name);
         compared += 1;
     }

@@ -10,7 +10,7 @@ use synth_core::diagnostic::Code;
 /// Arguments of `sml explain`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// A code such as SML0007; without one, all are listed
+    /// A code such as SML0007, also written 7; without one, all are listed
     code: Option<String>,
 }
 
@@ -18,15 +18,22 @@ pub(super) fn run(arguments: &Arguments, session: &Session) -> Result<Exit, Fail
     let text = match &arguments.code {
         None => list(session.format()),
         Some(name) => {
-            let known = Code::ALL.iter().find(|code| code.to_string().eq_ignore_ascii_case(name));
-            let code = known.ok_or_else(|| {
-                Failure::usage(format!("there is no diagnostic `{name}`; `sml explain` lists all"))
-            })?;
-            long_text(*code, session.format())
+            let code = Code::from_text(name).ok_or_else(|| unknown(name))?;
+            long_text(code, session.format())
         }
     };
     output::print(&text)?;
     Ok(Exit::Done)
+}
+
+fn unknown(name: &str) -> Failure {
+    let digits = name.trim_start_matches(|c: char| !c.is_ascii_digit());
+    let nearest = digits
+        .parse()
+        .ok()
+        .and_then(|number: u16| Code::ALL.iter().min_by_key(|&&code| (code as u16).abs_diff(number)));
+    let nearest = nearest.map_or(String::new(), |code| format!("; the nearest is {code}, {}", code.title()));
+    Failure::usage(format!("there is no diagnostic `{name}`{nearest}; `sml explain` lists all"))
 }
 
 fn long_text(code: Code, format: Format) -> String {

@@ -7,6 +7,7 @@ use crate::session::Session;
 use crate::warnings::{self, Warnings};
 use std::path::PathBuf;
 use synth_core::controller::json::to_json;
+use synth_core::diagnostic::counted;
 
 /// Arguments of `sml synth`.
 #[derive(Debug, clap::Args)]
@@ -36,12 +37,13 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     output::product(arguments.output.as_deref(), &to_json(controller))?;
     let rows: usize = controller.environment.iter().map(Vec::len).sum();
     output::note(&format!(
-        "{}: {} states, {} before minimisation; {rows} rows for events, {} super steps; verified with {} nodes",
+        "{}: {}, {} before minimisation; {} for events, {}; verified with {}",
         spec.name,
-        controller.states,
+        counted(controller.states as usize, "state"),
         verified.unminimized_states,
-        controller.super_steps.len(),
-        verified.product_nodes,
+        counted(rows, "row"),
+        counted(controller.super_steps.len(), "super step"),
+        counted(verified.product_nodes, "node"),
     ));
     Ok(Exit::Done)
 }

@@ -6,6 +6,7 @@ use crate::session::Session;
 use crate::{input, output};
 use serde::Serialize;
 use std::path::PathBuf;
+use synth_core::diagnostic::counted;
 use synth_core::pipeline;
 use synth_core::verify::Refutation;
 
@@ -43,7 +44,9 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
 
 fn accepted(nodes: usize, format: Format) -> String {
     match format {
-        Format::Text => format!("verified: the product with the specification has {nodes} nodes\n"),
+        Format::Text => {
+            format!("verified: the product with the specification has {}\n", counted(nodes, "node"))
+        }
         Format::Json => json(&Document { version: 1, verified: true, reason: "", play: &[], r#loop: &[] }),
     }
 }

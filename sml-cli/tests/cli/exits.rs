@@ -133,6 +133,31 @@ fn malformed_inputs_are_2() {
 }
 
 #[test]
+fn malformed_controllers_have_a_place() {
+    let run = sml_reading("verify memory/spec.sml - --format json", b"{\n  \"version\": \"1\"\n}");
+    let found = &run.json()["diagnostics"][0];
+    assert_eq!(
+        (&found["file"], &found["line"], &found["column"]),
+        (&"<stdin>".into(), &2.into(), &16.into())
+    );
+    assert_eq!(found["message"], "`<stdin>`: invalid type: string \"1\", expected u32");
+    let run = sml_reading("verify memory/spec.sml -", b"{\n  \"version\": \"1\"\n}");
+    assert!(run.stderr.contains("--> <stdin>:2:16"), "{}", run.stderr);
+}
+
+#[test]
+fn what_has_no_end_is_no_specification() {
+    let run = sml("check /dev/zero");
+    assert_eq!(run.code, 4);
+    assert!(run.stderr.contains("larger than 16 MiB"), "{}", run.stderr);
+    let run = sml_reading("check -", b"import \"/dev/zero\" import \"/\" specification X { }");
+    assert_eq!(run.code, 2);
+    for part in ["larger than 16 MiB", "Is a directory"] {
+        assert!(run.stderr.contains(part), "{}", run.stderr);
+    }
+}
+
+#[test]
 fn limits_are_3() {
     for subcommand in ["check", "synth", "graph", "names --target iec", "export --target dot"] {
         check(&format!("{subcommand} production_cell/spec.sml --max-states 10"), 3, "SML0054");
@@ -235,6 +260,10 @@ fn explanations_of_codes() {
     assert_eq!(run.code, 0);
     assert!(run.stdout.starts_with("SML0007: "), "{}", run.stdout);
     assert_eq!(sml("explain SML0007 --format json").json()["code"], "SML0007");
+    for name in ["7", "sml7", "0007"] {
+        assert_eq!(sml(&format!("explain {name}")).stdout, run.stdout);
+    }
+    assert!(sml("explain 19").stderr.contains("the nearest is SML0020"), "{}", sml("explain 19").stderr);
     let all = sml("explain").stdout;
     assert!(all.lines().all(|line| line.starts_with("SML")) && all.lines().count() > 20, "{all}");
 }

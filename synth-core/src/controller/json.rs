@@ -12,6 +12,7 @@
 //! are passed over. A system event between controllable objects that no super step has is not in the format.
 
 use super::{Component, Controller, Event, SuperStep};
+use crate::diagnostic::counted;
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -93,7 +94,7 @@ pub fn from_json(text: &str) -> Result<Controller, String> {
         return Err(not_below("initial", "state", document.initial, states));
     }
     if states as usize > MAX_BARE_STATES.saturating_add(2 * rows) {
-        return Err(format!("`states` is {states}, but there are only {rows} rows"));
+        return Err(format!("`states` is {states}, but the controller has {}", counted(rows, "row")));
     }
     let (events, environment) = read_environment(document.environment, states)?;
     let commands = read_commands(&document.components, &document.supersteps, &events)?;
@@ -469,7 +470,7 @@ mod tests {
         check_error(
             r#""states":4"#,
             r#""states":4294967295"#,
-            "`states` is 4294967295, but there are only 5 rows",
+            "`states` is 4294967295, but the controller has 5 rows",
         );
         check_error(r#""states":4"#, r#""states":4,"states":4"#, "duplicate field `states` at line 1");
     }

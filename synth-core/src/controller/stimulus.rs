@@ -6,6 +6,7 @@
 
 use super::Controller;
 use super::cycle::Machine;
+use crate::diagnostic::counted;
 use std::fmt::Write;
 
 /// Runs a controller through a stimulus.
@@ -58,7 +59,8 @@ fn columns(controller: &Controller, header: &str) -> Result<Vec<u32>, String> {
 fn raise(machine: &mut Machine<'_>, events: &[u32], line: &str) -> Result<(), String> {
     let fields = fields(line)?;
     if fields.len() != events.len() {
-        return Err(format!("{} fields, but the header names {} events", fields.len(), events.len()));
+        let (found, named) = (counted(fields.len(), "field"), counted(events.len(), "event"));
+        return Err(format!("{found}, but the header names {named}"));
     }
     for (field, &event) in fields.iter().zip(events) {
         match field.as_str() {
@@ -201,7 +203,7 @@ mod tests {
     #[test]
     fn malformed_rows() {
         let header = "env -> ctl.a(),env -> ctl.b()\n1,0\n";
-        check_error(&format!("{header}1\n"), "line 3: 1 fields, but the header names 2 events");
+        check_error(&format!("{header}1\n"), "line 3: 1 field, but the header names 2 events");
         check_error(&format!("{header}1,0,0\n"), "line 3: 3 fields, but the header names 2 events");
         check_error(&format!("{header}\n1,2\n"), "line 4: `2` is neither 0 nor 1");
         check_error(&format!("{header}1,\n"), "line 3: `` is neither 0 nor 1");

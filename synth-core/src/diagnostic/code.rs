@@ -14,6 +14,16 @@ macro_rules! codes {
             /// Every code, in order.
             pub const ALL: &'static [Code] = &[$(Code::$variant),*];
 
+            /// The code that is written `SML0007`, `sml7` or `7`.
+            #[must_use]
+            pub fn from_text(text: &str) -> Option<Code> {
+                let digits = text.trim_start_matches(|c: char| c.is_ascii_alphabetic());
+                let prefix = &text[..text.len() - digits.len()];
+                let number = Some(digits).filter(|_| prefix.is_empty() || prefix.eq_ignore_ascii_case("sml"))?;
+                let number: u16 = number.parse().ok()?;
+                Code::ALL.iter().copied().find(|&code| code as u16 == number)
+            }
+
             /// A few words: what this code is about.
             pub fn title(self) -> &'static str {
                 match self { $(Code::$variant => $title,)* }
@@ -104,89 +114,120 @@ codes! {
          Right:  wait [1 < lift.level && lift.level < 3]\n";
 
     UnknownName = 20, "a name that is declared nowhere",
-        "Every class, enum, object, role, attribute, operation, variable and literal must be declared before it means \
-         anything.\nThe help names the declared one that is spelled most alike. A message's operation is looked up in \
-         the class of its receiver and the classes that it inherits from; `setX` exists for every attribute `x`.\n";
+        "Every class, enum, object, role, attribute, operation, variable and literal must be declared before it means\n\
+         anything. The help names the declared one that is spelled most alike. A message's operation is looked up in\n\
+         the class of its receiver and the classes that it inherits from; `setX` exists for every attribute `x`. A\n\
+         name that is unknown in several places is told once, with the other places as labels.\n\n\
+         Wrong:  urgent controller -> lmap.on()\n\
+         Right:  urgent controller -> lamp.on()\n";
     DuplicateName = 21, "a name that is declared twice",
-        "Classes, enums and objects share one name space; a dynamic role may not be named like an object; attributes \
-         and operations must be unique in their class and what it inherits from, `setX` for an attribute `x` \
-         included.\nThe error is at the second declaration and also points at the first.\n";
+        "Classes, enums and objects share one name space; a dynamic role may not be named like an object; attributes\n\
+         and operations must be unique in their class and what it inherits from, `setX` for an attribute `x`\n\
+         included. The error is at the second declaration and also points at the first.\n\n\
+         Wrong:  object lamp: Lamp\n\
+         Right:  object lamp2: Lamp\n";
     TypeMismatch = 22, "a value of the wrong type",
-        "A value must fit where it is used: conditions are `bool`, arithmetic and `<` are for integers, `==` compares \
-         values of one type, a class-typed place takes an object of that class or of a subclass, or `null`.\nA \
-         message argument may also be of a superclass; it then matches only what fits.\n";
+        "A value must fit where it is used: conditions are `bool`, arithmetic and `<` are for integers, `==` compares\n\
+         values of one type, a class-typed place takes an object of that class or of a subclass, or `null`. A message\n\
+         argument may also be of a superclass; it then matches only what fits.\n\n\
+         Wrong:  wait [lamp.level]\n\
+         Right:  wait [lamp.level > 0]\n";
     ArgumentCount = 23, "the wrong number of arguments",
-        "A message gives one argument for each declared parameter of its operation; `*` stands for any value. A message \
-         without parentheses has no arguments.\n";
+        "A message gives one argument for each declared parameter of its operation; `*` stands for any value. A message\n\
+         without parentheses has no arguments.\n\n\
+         Wrong:  urgent controller -> lamp.dim()\n\
+         Right:  urgent controller -> lamp.dim(1)\n";
     ReadBeforeBound = 24, "a variable or role that is read before it has a value",
-        "A variable gets its value from its declaration, an assignment or `bind`; a dynamic role from a message in \
-         which it sends or receives, or from `bindings`. On every way to this place that must have happened: what one \
-         case of an `alternative` or one round of a `while` binds is not bound behind it.\n";
+        "A variable gets its value from its declaration, an assignment or `bind`; a dynamic role from a message in\n\
+         which it sends or receives, or from `bindings`. On every way to this place that must have happened: what one\n\
+         case of an `alternative` or one round of a `while` binds is not bound behind it.\n\n\
+         Wrong:  var bool seen  wait [seen]\n\
+         Right:  var bool seen = true  wait [seen]\n";
     UnboundRole = 25, "a message to be sent, with an unbound role",
-        "A message that the system must send needs to know who sends and who receives. Its dynamic roles must be bound \
-         by an earlier message of the scenario or by `bindings [ role = … ]`.\n";
+        "A message that the system must send needs to know who sends and who receives. Its dynamic roles must be bound\n\
+         by an earlier message of the scenario or by `bindings [ role = … ]`. In the examples `some` is a dynamic role.\n\n\
+         Wrong:  urgent controller -> some.on()\n\
+         Right:  some -> controller.asked()  urgent controller -> some.on()\n";
     NoControllableClass = 26, "no controllable class",
-        "The section `controllable { … }` names the classes whose objects are the system. Without one there is nothing \
-         to build a controller for.\n";
+        "The section `controllable { … }` names the classes whose objects are the system; whatever inherits from them\n\
+         belongs to it, too. Without one there is nothing to build a controller for.\n\n\
+         Wrong:  specification Cell { controllable { } }\n\
+         Right:  specification Cell { domain { class Arm { } } controllable { Arm } }\n";
     EmptyScenario = 27, "a scenario without fragments",
         "A scenario says something about messages; an empty one can neither start nor be violated.\n\n\
          Wrong:  guarantee scenario Later { }\n\
-         Right:  guarantee scenario Answers { user -> ctl.ask() urgent ctl -> user.answer() }\n";
+         Right:  guarantee scenario Lights { user -> controller.pressed() urgent controller -> lamp.on() }\n";
     OutOfRange = 28, "a constant outside its range",
-        "An integer must lie within the range of the attribute, parameter or variable that takes it, and a range must \
-         contain at least one value and at most 2^32.\n";
+        "An integer must lie within the range of the attribute, parameter or variable that takes it, and a range must\n\
+         contain at least one value and at most 2^32. Both ends of a range belong to it.\n\n\
+         Wrong:  urgent controller -> lamp.dim(4)\n\
+         Right:  urgent controller -> lamp.dim(3)\n";
     SilentLoop = 29, "a loop that could spin",
-        "Every way through the body of a `while` needs a message or a `wait`; otherwise it could come round for ever \
-         without anything happening. An `alternative` all of whose cases have conditions may be passed.\n";
+        "Every way through the body of a `while` needs a message or a `wait`; otherwise it could come round for ever\n\
+         without anything happening. An `alternative` all of whose cases have conditions may be passed.\n\n\
+         Wrong:  while [lamp.lit] { alternative [lamp.level > 0] { user -> controller.pressed() } }\n\
+         Right:  while [lamp.lit] { user -> controller.pressed() }\n";
     CyclicInheritance = 30, "a class that inherits from itself",
         "The bases of a class must end somewhere; here they come round to the class itself.\n\n\
-         Wrong:  class Arm : Robot { } class Robot : Arm { }\n\
-         Right:  class Arm : Robot { } class Robot { }\n";
+         Wrong:  domain { class Arm : Robot { } class Robot : Arm { } }\n\
+         Right:  domain { class Arm : Robot { } class Robot { } }\n";
     ControllableInAssumption = 31, "an assumption that obliges the system",
-        "An assumption promises what the environment does. A message with a modality in it must therefore have a sender \
-         that is not controllable; what the system must do belongs into a guarantee.\n";
+        "An assumption promises what the environment does. A message with a modality in it must therefore have a\n\
+         sender that is not controllable; what the system must do belongs into a guarantee.\n\n\
+         Wrong:  assumption scenario Answers { user -> controller.pressed() urgent controller -> lamp.on() }\n\
+         Right:  assumption scenario Answers { controller -> lamp.on() eventually lamp -> controller.asked() }\n";
     TooLarge = 32, "a scenario that is too large",
-        "A scenario can have 65,536 fragments, cases and branches, its body and those in it included. Split it into \
+        "A scenario can have 65,536 fragments, cases and branches, its body and those in it included. Split it into\n\
          several scenarios.\n";
 
     MissingImport = 33, "an imported file that cannot be read",
-        "The path of an `import` is relative to the file that it stands in; in the macro `sml!` and in the path that is \
-         given to it, relative to the folder of the package.\n";
+        "The path of an `import` is relative to the file that it stands in; in the macro `sml!` and in the path that is\n\
+         given to it, relative to the folder of the package. A folder, a device, or a file of more than 16 MiB is no\n\
+         specification.\n";
     CyclicImport = 34, "files that import each other",
-        "Imports must not form a circle. The error is at the string that closes it. A file that is imported several \
+        "Imports must not form a circle. The error is at the string that closes it. A file that is imported several\n\
          times is merged once, so common parts can be imported wherever they are needed.\n";
 
     PlayOutRange = 50, "a value that leaves its range during play-out",
-        "Some play reaches a state in which an event that can really happen gives an attribute, a variable or an \
-         argument a value outside its range. The play is shown. Widen the range, or forbid the event there with a \
-         condition or a constraint.\n";
+        "Some play reaches a state in which an event that can really happen gives an attribute, a variable or an\n\
+         argument a value outside its range. The shortest such play is shown. Widen the range, or forbid the event\n\
+         there with a condition or a constraint.\n\n\
+         Wrong:  var 0..=3 n = 0  while { user -> controller.pressed() n = n + 1 }\n\
+         Right:  var 0..=3 n = 0  while [n < 3] { user -> controller.pressed() n = n + 1 }\n";
     PlayOutNull = 51, "a path through `null` during play-out",
-        "Some play reaches a state in which an attribute of `null` is read or written. The play is shown. Test for \
-         `null` first: `a.b != null && a.b.c`.\n";
+        "Some play reaches a state in which an attribute of `null` is read or written. The shortest such play is\n\
+         shown. Test for `null` first: `&&`, `||` and `=>` do not ask their right side where the left one decides.\n\n\
+         Wrong:  wait [lamp.next.lit]\n\
+         Right:  wait [lamp.next != null && lamp.next.lit]\n";
     PlayOutLoop = 52, "a loop that never settles",
-        "Some play reaches a state in which a `while` comes round to the same place with the same values within one \
-         step, because the `wait`s in it pass at once. The play is shown. Wait for something that changes.\n";
+        "Some play reaches a state in which a `while` comes round to the same place with the same values within one\n\
+         step, because the `wait`s in it pass at once. The shortest such play is shown. Wait for something that\n\
+         changes.\n\n\
+         Wrong:  while { wait [!lamp.lit] }\n\
+         Right:  while { wait [!lamp.lit] user -> controller.pressed() }\n";
     ViolatedInitially = 53, "a scenario that is violated from the start",
         "A scenario that starts at once is settled in the initial state; this one is violated there already.\n\n\
-         Wrong:  guarantee scenario Never { violation [true] }\n\
-         Right:  guarantee scenario Never { user -> ctl.ask() violation [ctl.busy] }\n";
+         Wrong:  guarantee scenario Dark { violation [!lamp.lit] }\n\
+         Right:  guarantee scenario Dark { user -> controller.pressed() violation [lamp.lit] }\n";
     LimitReached = 54, "a limit was reached",
-        "The state space is larger than `--max-states` or `--max-memory` allow. Raise the limit, or make the \
-         specification smaller: fewer objects, narrower ranges, more assumptions about what the environment does.\n";
+        "The state space is larger than `--max-states` or `--max-memory` allow, or than the machine's memory where no\n\
+         limit is given. Raise the limit, or make the specification smaller: fewer objects, narrower ranges, more\n\
+         assumptions about what the environment does. In the macro `sml!` the limit is fixed, and lower still in an\n\
+         editor; a build script (`synth_core::build`) has none. The exit code is 3.\n";
 
     Unrealizable = 70, "a specification that no controller can meet",
-        "Whatever the controller does, the environment can keep all assumptions and make it break or starve a \
+        "Whatever the controller does, the environment can keep all assumptions and make it break or starve a\n\
          guarantee. A play is shown. Add the assumption that rules it out, or relax a guarantee.\n";
     VerificationFailed = 71, "a controller that does not meet the specification",
-        "The product of controller and specification contains the play shown: it breaks a guarantee, or starves one while \
-         all assumptions are kept. If the controller comes from this tool, that is a mistake of the tool.\n";
+        "The product of controller and specification contains the play shown: it breaks a guarantee, or starves one\n\
+         while all assumptions are kept. If the controller comes from this tool, that is a mistake of the tool.\n";
     EndlessSuperStep = 72, "a specification that only an endless super step meets",
         "A play counts as won when an assumption is open for ever, and the environment cannot meet an assumption while\n\
          the system keeps the turn. So by the letter of the winning condition the system wins by sending messages\n\
          without end. No controller can do that in a cycle, and no play in which super steps end is won by the system\n\
          here. Let the loop wait for an event of the environment, or relax the guarantee that needs it.\n\n\
-         Wrong:  while { eventually control -> lamp.blink() }\n\
-         Right:  while { clock -> control.tick()  eventually control -> lamp.blink() }\n";
+         Wrong:  while { eventually controller -> lamp.on() }\n\
+         Right:  while { user -> controller.pressed() eventually controller -> lamp.on() }\n";
 
     SystemBreaksAssumption = 90, "an assumption that the controller could break",
         "In some state a guarantee asks for an event of the system that violates an assumption. A controller must not\n\
@@ -257,32 +298,32 @@ codes! {
          causes events goes on causing them when relaxed. Remove it, or make it weaker, unless it is there to document the plant.\n";
 
     Usage = 100, "wrong usage",
-        "The arguments make no sense together. `sml --help` and `sml COMMAND --help` say what can be asked. \
-         The exit code is 2.\n";
+        "The arguments make no sense together. `sml --help` and `sml COMMAND --help` say what can be asked. The exit\n\
+         code is 2.\n";
     Unsupported = 101, "something that is not supported yet",
-        "The name is part of the interface, but this version does nothing under it yet. \
-         `sml --help` lists what it does.\n";
+        "The name is part of the interface, but this version does nothing under it yet. `sml --help` lists what it\n\
+         does. The exit code is 2.\n";
     Unreadable = 102, "a file that cannot be opened",
-        "The file does not exist, is a directory, or may not be read; `-` stands for the standard \
-         input. The exit code is 4.\n";
+        "The file does not exist, is a folder or larger than a specification can be, or may not be read; `-` stands\n\
+         for the standard input. The exit code is 4.\n";
     Unwritable = 103, "an output that cannot be written",
-        "The folder does not exist, or it or the file may not be written. Files are written whole or not at all: what \
+        "The folder does not exist, or it or the file may not be written. Files are written whole or not at all: what\n\
          was there before is untouched. The exit code is 4.\n";
     MalformedController = 104, "a file that is not a controller",
-        "`sml verify` and `--controller` take the JSON that `sml synth` writes, from whatever source. The message says \
-         what is wrong and where.\n";
+        "`sml verify` and `--controller` take the JSON that `sml synth` writes, from whatever source. The message says\n\
+         what is wrong and where. The exit code is 2.\n";
     MalformedStimulus = 105, "a file that is not a stimulus",
-        "A stimulus is a CSV. Its header names events of the environment by their texts; each further line is one \
-         cycle, with a 0 or 1 for each of them.\n\n\
+        "A stimulus is a CSV. Its header names events of the environment by their texts; each further line is one\n\
+         cycle, with a 0 or 1 for each of them. The exit code is 2.\n\n\
          Right:  belt -> controller.blankArrived(),arm -> controller.pickedUp()\n        1,0\n        0,1\n";
     NotExecutable = 106, "an event that cannot happen now",
-        "In this state of the play the event is not one of those that can happen: it is not that side's turn, nobody \
+        "In this state of the play the event is not one of those that can happen: it is not that side's turn, nobody\n\
          asks for it, or it would violate a scenario of its own side. The message lists those that can.\n";
     Stale = 107, "an output that is not up to date",
-        "`--check` compares a file with what would be written into it. They differ, or the file is missing. \
-         Export it again without `--check`.\n";
+        "`--check` compares a file with what would be written into it. They differ, or the file is missing. Export it\n\
+         again without `--check`. The exit code is 1.\n";
     Unfit = 108, "a controller that a target cannot hold",
-        "States, rows or commands outnumber what the target's types can tell apart, or draining would never end. \
+        "States, rows or commands outnumber what the target's types can tell apart, or draining would never end.\n\
          Nothing is written.\n";
     FailedExpectation = 109, "an expectation that does not hold",
         "A line of a script for `sml play` says what must hold at this point of the play, and it does not. Lines that\n\
@@ -316,6 +357,19 @@ mod tests {
             assert!(!code.title().ends_with('.'), "{code}");
             assert!(code.explanation().ends_with('\n'), "{code}");
             assert!(code.explanation().len() > 100, "{code}");
+            for line in code.explanation().lines() {
+                assert!(line.chars().count() <= 115 && line == line.trim_end(), "{code}: {line}");
+            }
+        }
+    }
+
+    #[test]
+    fn codes_are_found_however_they_are_written() {
+        for text in ["SML0007", "sml7", "7", "0007", "Sml007"] {
+            assert_eq!(Code::from_text(text), Some(Code::NumberForm), "{text}");
+        }
+        for text in ["", "SML", "SML9999", "E0007", "7x", "-7", "99999999999999999999", "é7", "SML 7"] {
+            assert_eq!(Code::from_text(text), None, "{text}");
         }
     }
 

@@ -14,6 +14,12 @@ pub use tokens::{compile_errors, compile_errors_at};
 
 use crate::syntax::Span;
 
+/// `1 state`, `2 states`.
+#[must_use]
+pub fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
 /// How bad it is.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Severity {

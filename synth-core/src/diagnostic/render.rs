@@ -3,7 +3,7 @@
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
 use super::{Diagnostic, Severity};
-use crate::syntax::{FileId, Sources, Span};
+use crate::syntax::{FileId, Pos, Sources, Span};
 
 /// More than this many nobody reads, and each costs a pass over its line, which may be the whole file.
 const MOST_SHOWN: usize = 50;
@@ -45,7 +45,8 @@ fn group<'a>(diagnostic: &'a Diagnostic, code: &'a str, sources: &'a Sources) ->
     }
     let path = sources.path(diagnostic.span.file);
     if diagnostic.span.start.line > 0 && !path.is_empty() && sources.text(diagnostic.span.file).is_empty() {
-        group = group.element(Origin::path(path));
+        let Pos { line, column } = diagnostic.span.start;
+        group = group.element(Origin::path(path).line(line as usize).char_column(column as usize));
     }
     for note in &diagnostic.notes {
         group = group.element(Level::NOTE.message(note));

@@ -206,6 +206,13 @@ pub const SILENCE: &str = "silence";
 /// and solving it twenty times at most, and in practice once or twice for each scenario of the core.
 #[must_use]
 pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
+    explain_within(solved, usize::MAX)
+}
+
+/// As [`explain`]; all explorations together visit at most so many states. With few, the core may be larger than minimal
+/// and suggestions may be missing.
+#[must_use]
+pub fn explain_within(solved: &Solved<'_>, states: usize) -> Option<Explanation> {
     let CounterPlay { play, cycle, loss } = counter_play(&solved.explored.game, &solved.solution)?;
     let spec = solved.explored.playout.spec();
     let mut replay = Replay::new(solved)?;
@@ -230,7 +237,7 @@ pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
     if cycle.is_empty() && loss != Loss::Violation {
         cycle.push(SILENCE.to_owned());
     }
-    let budget = Budget::for_states(solved.explored.game.states());
+    let budget = Budget::for_states(solved.explored.game.states()).within(states);
     let mut prober = Prober::new(spec, solved.explored.playout.semantics(), budget)?.knowing(false);
     let core = core::core(&mut prober, &findings.scenarios);
     let cause = cause(solved, loss, &findings, &core, &mut prober);

@@ -31,6 +31,12 @@ impl Budget {
         Budget { each: states.saturating_mul(4), all: states.saturating_mul(20) }
     }
 
+    /// At most so many states all together.
+    #[must_use]
+    pub fn within(self, states: usize) -> Self {
+        Budget { each: self.each.min(states), all: self.all.min(states) }
+    }
+
     /// The limits of the next exploration.
     pub(super) fn limits(&self) -> Limits {
         Limits { states: self.each.min(self.all), ..Limits::default() }

@@ -11,6 +11,7 @@ mod store;
 pub use json::write_json;
 pub use store::{StateId, StateStore};
 
+use crate::diagnostic::counted;
 use crate::game::{Game, KeySets, KeySetsBuilder, Turn, YIELD};
 use crate::model::{Kind, Spec};
 use crate::playout::{Config, EventId, KeyId, Move, Moves, PlayError, Playout, Semantics};
@@ -58,17 +59,23 @@ pub struct LimitReached {
 }
 
 impl LimitReached {
-    /// What the limit counts.
+    /// What the limit counts, one of it.
     #[must_use]
     pub fn unit(&self) -> &'static str {
-        if self.what == "memory" { "bytes" } else { self.what }
+        match self.what {
+            "memory" => "byte",
+            "edges" => "transition",
+            _ => "state",
+        }
     }
 }
 
 impl fmt::Display for LimitReached {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let LimitReached { states, explored, edges, memory, .. } = self;
-        write!(f, "found {states} states, {explored} of them explored, {edges} transitions, {memory} bytes")
+        let states = counted(*states, "state");
+        let (edges, memory) = (counted(*edges, "transition"), counted(*memory, "byte"));
+        write!(f, "found {states}, {explored} of them explored, {edges}, {memory}")
     }
 }
 

@@ -1,7 +1,7 @@
 //! Why a stage gave no result, and what to tell the author.
 
 use super::Figures;
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, counted};
 use crate::explain::Explanation;
 use crate::explore::{ExploreError, LimitReached};
 use crate::syntax::Span;
@@ -34,7 +34,7 @@ impl Failure {
             Failure::Limit(limit) => vec![
                 general(
                     Code::LimitReached,
-                    format!("the limit of {} {} was reached", limit.limit, limit.unit()),
+                    format!("the limit of {} was reached", counted(limit.limit, limit.unit())),
                 )
                 .note(limit.to_string())
                 .help(match limit.what {

@@ -10,6 +10,9 @@ use crate::diagnostic::{Code, Diagnostic};
 /// Some editors put it at the start of a file; it belongs to no line.
 pub(super) const BYTE_ORDER_MARK: char = '\u{feff}';
 
+/// With so many errors a text is none of a specification, and nobody reads more.
+const MOST_ERRORS: usize = 1000;
+
 /// What the scan found.
 pub(super) struct Scan {
     /// A text with the same lines and columns that Rust's lexer accepts; `None` if it must not be read at all.
@@ -18,6 +21,8 @@ pub(super) struct Scan {
     pub(super) end: Option<Span>,
     /// From here on the structure of `readable` is a guess.
     pub(super) cut: Option<Pos>,
+    /// The first wrong delimiter is one that closes nothing.
+    pub(super) surplus: bool,
     /// The tokens just behind something that became blank: what is missing before them is no news.
     pub(super) behind_blanks: Vec<Pos>,
     /// In the order of their places, mostly.
@@ -39,20 +44,22 @@ pub(super) fn scan(text: &str, file: FileId) -> Scan {
         open: Vec::new(),
         suspect: None,
         cut: None,
+        surplus: false,
         too_deep: false,
         after_blank: false,
         behind_blanks: Vec::new(),
         errors: Vec::new(),
     };
-    while scanner.at < scanner.chars.len() && !scanner.too_deep {
+    while scanner.at < scanner.chars.len() && !scanner.gives_up() {
         scanner.token();
     }
     scanner.close_all();
     let end = scanner.end.map_or(0..0, |last| last + 1..last + 1);
     Scan {
         end: Some(scanner.span(end.start, end.end)),
-        readable: (!scanner.too_deep).then(|| scanner.readable.iter().collect()),
+        readable: (!scanner.gives_up()).then(|| scanner.readable.iter().collect()),
         cut: scanner.cut,
+        surplus: scanner.surplus,
         behind_blanks: scanner.behind_blanks,
         errors: scanner.errors,
     }
@@ -73,6 +80,7 @@ struct Scanner {
     /// The first opening delimiter whose partner is indented less than it.
     suspect: Option<usize>,
     cut: Option<Pos>,
+    surplus: bool,
     too_deep: bool,
     /// Whether an error was found since the last token.
     after_blank: bool,
@@ -138,6 +146,7 @@ impl Scanner {
             '}' | ']' | ')' => self.closing(),
             c if c.is_ascii_digit() => self.number(),
             c if is_word(c) => self.word(),
+            '#' if !matches!(self.peek(1), '[' | '!') => self.hash_comment(),
             c if c.is_ascii_graphic() && !matches!(c, '\\' | '`') => self.at += 1,
             c => self.stray(c),
         }
@@ -263,6 +272,12 @@ impl Scanner {
             let error =
                 Diagnostic::error(Code::Lexical, self.span(start, self.at), "raw text does not exist here");
             self.errors.push(error.help(format!("remove `{text}`")));
+            if self.peek(0) == '"' {
+                self.string();
+                let behind = self.at;
+                self.skip_while(|c| c == '#');
+                self.blank(behind, self.at);
+            }
         } else if !text.is_ascii() {
             self.errors.extend(keywords::name_error(&text, self.span(start, self.at)));
             self.readable[start..self.at].fill('x');
@@ -283,7 +298,23 @@ impl Scanner {
         self.blank(start, self.at);
         let message =
             if c == '`' { "stray backtick".into() } else { format!("stray character `{}`", show(c)) };
-        self.errors.push(Diagnostic::error(Code::Lexical, self.span(start, self.at), message));
+        let mut error = Diagnostic::error(Code::Lexical, self.span(start, self.at), message);
+        error.help = Some(meant(c).map_or("remove it".to_owned(), |meant| format!("write `{meant}`")));
+        self.errors.push(error);
+    }
+
+    /// Whoever begins a comment with `#` means the whole line.
+    fn hash_comment(&mut self) {
+        let start = self.at;
+        let end = self.skip_while(|c| c != '\n');
+        self.blank(start, end);
+        let error = Diagnostic::error(Code::Lexical, self.span(start, start + 1), "stray character `#`");
+        self.errors.push(error.help("begin a comment with `//`"));
+    }
+
+    /// Whether the rest of the text would say nothing new.
+    fn gives_up(&self) -> bool {
+        self.too_deep || self.errors.len() >= MOST_ERRORS
     }
 
     fn opening(&mut self) {
@@ -324,6 +355,7 @@ impl Scanner {
     fn wrong_closing(&mut self, at: usize) {
         let found = self.chars[at];
         let span = self.span(at, at + 1);
+        self.surplus |= self.open.is_empty() && self.cut.is_none();
         let error = match self.open.last() {
             None => Diagnostic::error(Code::Delimiter, span, format!("`{found}` closes nothing"))
                 .help(format!("remove it, or add the missing `{}` before it", opposite(found))),
@@ -337,7 +369,7 @@ impl Scanner {
     }
 
     fn close_all(&mut self) {
-        if let Some(&innermost) = self.open.last().filter(|_| !self.too_deep) {
+        if let Some(&innermost) = self.open.last().filter(|_| !self.gives_up()) {
             let place = self.suspect.unwrap_or(innermost);
             let mut error = self.unclosed(place);
             if place != innermost {
@@ -379,6 +411,28 @@ impl Scanner {
         let width = self.chars[start..].iter().take_while(|c| matches!(c, ' ' | '\t')).count();
         (width, line, start + width)
     }
+}
+
+/// What an editor or a hand accustomed to mathematics writes for these tokens.
+fn meant(c: char) -> Option<&'static str> {
+    Some(match c {
+        '→' | '⟶' | '➔' | '➜' => "->",
+        '⇒' | '⟹' => "=>",
+        '≤' | '⩽' => "<=",
+        '≥' | '⩾' => ">=",
+        '≠' => "!=",
+        '∧' => "&&",
+        '∨' => "||",
+        '¬' => "!",
+        '×' | '·' | '⋅' => "*",
+        '–' | '—' | '−' | '‐' | '‑' => "-",
+        '…' => "..=",
+        '“' | '”' | '„' | '«' | '»' => "\"",
+        '；' => ";",
+        '，' => ",",
+        '：' => ":",
+        _ => return None,
+    })
 }
 
 /// The error at the first delimiter or operator that is too deep.

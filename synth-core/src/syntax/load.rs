@@ -1,6 +1,6 @@
 //! A specification with everything that it imports.
 
-use super::{FileId, Sources, Span, ast, decode, parse_text, print};
+use super::{FileId, Sources, Span, ast, decode, is_utf16, parse_text, print};
 use crate::diagnostic::{Code, Diagnostic};
 
 /// All files of a specification.
@@ -49,7 +49,9 @@ struct Loader<'r> {
 
 impl Loader<'_> {
     fn file(&mut self, path: &str, bytes: &[u8]) {
-        let id = self.loaded.sources.add(path, String::from_utf8_lossy(bytes));
+        // Of two bytes a character there is nothing to show.
+        let shown = if is_utf16(bytes) { "".into() } else { String::from_utf8_lossy(bytes) };
+        let id = self.loaded.sources.add(path, shown);
         let text = match decode(bytes, id) {
             Ok(text) => text,
             Err(diagnostic) => return self.loaded.diagnostics.push(*diagnostic),

@@ -14,9 +14,13 @@ mod sources;
 mod span;
 mod tokens;
 
+use std::io::{self, Read as _};
+
 use proc_macro2::TokenStream;
 
 use crate::diagnostic::{Code, Diagnostic};
+
+use parse::Parsed;
 
 pub use load::{Loaded, Reader, load, load_imports};
 pub use print::print;
@@ -32,13 +36,18 @@ const MAX_DEPTH: usize = 128;
 /// specification's name could be found. Diagnostics come in the order of their places. A byte order mark is skipped.
 #[must_use]
 pub fn parse_text(text: &str, file: FileId) -> (Option<ast::File>, Vec<Diagnostic>) {
-    let lexis::Scan { readable, end, cut, behind_blanks, mut errors } = lexis::scan(text, file);
+    let lexis::Scan { readable, end, cut, surplus, behind_blanks, mut errors } = lexis::scan(text, file);
     let Some(readable) = readable else { return (None, errors) };
     let lexed = tokens::lex(&readable, file, |tokens| parse_stream(tokens, file, end));
-    let (tree, mut found) = match lexed {
+    let Parsed { tree, errors: mut found, unbraced } = match lexed {
         Ok(parsed) => parsed,
-        Err(error) => (None, vec![*error]),
+        Err(error) => Parsed { tree: None, errors: vec![*error], unbraced: None },
     };
+    if surplus && let Some(place) = unbraced.filter(|&place| cut.is_none_or(|cut| place < cut)) {
+        // The grammar knows better where braces went wrong than whoever counts them.
+        found.retain(|d| d.span.start <= place);
+        errors.retain(|d| d.code != Code::Delimiter);
+    }
     // What follows from a mistake that has been reported already is not reported again.
     found.retain(|d| cut.is_none_or(|cut| d.span.start < cut));
     if !errors.is_empty() {
@@ -58,22 +67,19 @@ pub fn parse_text(text: &str, file: FileId) -> (Option<ast::File>, Vec<Diagnosti
 /// Returns the same as [`parse_text`].
 #[must_use]
 pub fn parse_tokens(tokens: TokenStream, file: FileId) -> (Option<ast::File>, Vec<Diagnostic>) {
-    parse_stream(tokens, file, None)
+    let Parsed { tree, errors, .. } = parse_stream(tokens, file, None);
+    (tree, errors)
 }
 
 /// `end`: the place behind the last token, if the caller knows better than the tokens.
-fn parse_stream(
-    tokens: TokenStream,
-    file: FileId,
-    end: Option<Span>,
-) -> (Option<ast::File>, Vec<Diagnostic>) {
+fn parse_stream(tokens: TokenStream, file: FileId, end: Option<Span>) -> Parsed {
     match tokens::prepare(tokens, file) {
         Ok(prepared) => {
-            let (tree, mut errors) = parse::parse(prepared.tokens, file, end.unwrap_or(prepared.end));
-            errors.sort_by_key(|d| d.span.start);
-            (tree, errors)
+            let mut parsed = parse::parse(prepared.tokens, file, end.unwrap_or(prepared.end));
+            parsed.errors.sort_by_key(|d| d.span.start);
+            parsed
         }
-        Err(error) => (None, vec![*error]),
+        Err(error) => Parsed { tree: None, errors: vec![*error], unbraced: None },
     }
 }
 
@@ -83,6 +89,12 @@ fn parse_stream(
 ///
 /// [`Code::Encoding`] at the first place that is not UTF-8.
 pub fn decode(bytes: &[u8], file: FileId) -> Result<&str, Box<Diagnostic>> {
+    if is_utf16(bytes) {
+        let first = Pos { line: 1, column: 1 };
+        let span = Span { file, start: first, end: first };
+        let error = Diagnostic::error(Code::Encoding, span, "the file is UTF-16 text, not UTF-8");
+        return Err(Box::new(error.help("store the file as UTF-8")));
+    }
     std::str::from_utf8(bytes).map_err(|error| {
         let good = std::str::from_utf8(&bytes[..error.valid_up_to()]).unwrap_or_default();
         let good = good.strip_prefix(lexis::BYTE_ORDER_MARK).unwrap_or(good);
@@ -95,5 +107,32 @@ pub fn decode(bytes: &[u8], file: FileId) -> Result<&str, Box<Diagnostic>> {
     })
 }
 
+/// Whether a byte order mark of UTF-16 begins the text, or every second byte of its beginning is zero, as in ASCII.
+fn is_utf16(bytes: &[u8]) -> bool {
+    let head = &bytes[..bytes.len().min(64) & !1];
+    let zeros = |odd: usize| head.iter().skip(odd).step_by(2).all(|&byte| byte == 0);
+    bytes.starts_with(&[0xFF, 0xFE])
+        || bytes.starts_with(&[0xFE, 0xFF])
+        || !head.is_empty() && zeros(0) != zeros(1)
+}
+
+/// A specification may have this many bytes, 16 MiB: far more than anyone writes, far less than a machine holds.
+pub const MAX_BYTES: u64 = 16 << 20;
+
+/// All bytes of a file that is a specification.
+///
+/// # Errors
+///
+/// As the reader says, or that there are more than [`MAX_BYTES`]: a device, or the wrong file.
+pub fn read_bounded(file: impl io::Read) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    file.take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MAX_BYTES {
+        let why = format!("it is larger than {} MiB, so it is no specification", MAX_BYTES >> 20);
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, why));
+    }
+    Ok(bytes)
+}
+
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

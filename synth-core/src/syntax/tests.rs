@@ -2,6 +2,8 @@
 
 mod errors;
 mod fuzz;
+mod help;
+mod mutations;
 mod trees;
 
 use super::{FileId, Pos, Span, ast, parse_text};
@@ -37,7 +39,7 @@ fn corpus() -> Vec<(String, String)> {
 
 /// Takes the lines that mark the line above them with `~~~~` out of `marked`: the text without them, and the place
 /// and the words of each mark.
-fn unmark(marked: &str) -> (String, Vec<(Span, String)>) {
+pub(crate) fn unmark(marked: &str) -> (String, Vec<(Span, String)>) {
     let (mut text, mut marks, mut line) = (String::new(), Vec::new(), 0);
     for full in marked.split_inclusive('\n') {
         let mark = full.trim_start();

@@ -4,13 +4,15 @@
 //! component. The product could not see a breach: it looks rows up in one of several possible ways.
 
 use crate::controller::{Component, Controller, Event};
+use crate::diagnostic::counted;
 
 /// What is wrong, if anything.
 pub(super) fn fault(controller: &Controller) -> Option<String> {
     let Controller { states, initial, events, commands, components, environment, super_steps, .. } =
         controller;
     let below = |state: u32, what: &str| {
-        (state >= *states).then(|| format!("{what} is {state}, but there are only {states} states"))
+        let all = || counted(*states as usize, "state");
+        (state >= *states).then(|| format!("{what} is {state}, but the controller has {}", all()))
     };
     below(*initial, "the initial state")
         .or_else(|| ascending_texts(events))
@@ -118,12 +120,18 @@ mod tests {
     #[test]
     fn every_rule() {
         check(|_| {}, "fine");
-        check(|c| c.initial = 2, "the initial state is 2, but there are only 2 states");
-        check(|c| c.environment[1][0].1 = 5, "a state of `a -> c.on()` is 5, but there are only 2 states");
+        check(|c| c.initial = 2, "the initial state is 2, but the controller has 2 states");
+        check(
+            |c| c.environment[1][0].1 = 5,
+            "a state of `a -> c.on()` is 5, but the controller has 2 states",
+        );
         check(|c| c.environment[1].push((0, 0)), "the table of `a -> c.on()` has state 0 behind state 0");
         check(|c| drop(c.environment.pop()), "an event has no table");
         check(|c| c.events.swap(0, 1), "`a -> c.on()` does not stand in front of `a -> c.off()`");
-        check(|c| c.super_steps[0].target = 9, "a state of a super step is 9, but there are only 2 states");
+        check(
+            |c| c.super_steps[0].target = 9,
+            "a state of a super step is 9, but the controller has 2 states",
+        );
         check(
             |c| c.super_steps.push(c.super_steps[0].clone()),
             "the table of super steps has state 1 behind state 1",

@@ -7,6 +7,7 @@ use quote::quote;
 
 use super::Options;
 use crate::controller::tables::{Requirement, Tables};
+use crate::diagnostic::counted;
 
 /// Controllers of more states get no diagram: nobody could read it.
 const MAX_DIAGRAM_STATES: u32 = 24;
@@ -37,14 +38,17 @@ fn costs(text: &mut String, tables: &Tables, options: &Options) {
     let rows = tables.events.iter().map(|table| table.mapping.source.len()).sum::<usize>();
     let _ = write!(
         text,
-        "\n{} states, {events} environment events with {rows} rows, {} super steps.\n\n\
-         Looking up an event takes at most {event} probes of its table, a super step {step}.",
-        tables.states,
-        tables.super_steps.source.len(),
+        "\n{}, {} with {}, {}.\n\n\
+         Looking up an event takes at most {} of its table, a super step {step}.",
+        counted(tables.states as usize, "state"),
+        counted(events, "environment event"),
+        counted(rows, "row"),
+        counted(tables.super_steps.source.len(), "super step"),
+        counted(event as usize, "probe"),
     );
     if !options.ordered {
         // Every pass but the last consumes an event, each of which is pending at most once.
-        let _ = write!(text, " A cycle looks up at most {} events.", events * (events + 1) / 2);
+        let _ = write!(text, " A cycle looks up at most {}.", counted(events * (events + 1) / 2, "event"));
     }
     text.push('\n');
 }

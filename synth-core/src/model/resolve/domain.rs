@@ -84,7 +84,10 @@ impl Resolver {
         }
         for &(id, class) in &own {
             let Some(base) = &class.base else { continue };
-            let Some(base_id) = self.class(base) else { continue };
+            let Some(base_id) = self.class(base) else {
+                self.orphans.insert(id);
+                continue;
+            };
             if self.domain.is_a(base_id, id) {
                 let message = format!("class `{}` inherits from itself", class.name.text);
                 self.error(Code::CyclicInheritance, base.span, message).help =
@@ -240,9 +243,12 @@ impl Resolver {
 
     /// The position of an attribute.
     pub(super) fn attribute(&mut self, class: ClassId, name: &ast::Name) -> Option<usize> {
+        let is_orphan = self.is_orphan(class);
         let class = &self.domain.classes[class];
         let position = class.attributes.iter().position(|attribute| attribute.name == name.text);
-        if position.is_none() {
+        if position.is_none() && is_orphan {
+            self.silenced += 1;
+        } else if position.is_none() {
             let known: Vec<String> = class.attributes.iter().map(|a| a.name.clone()).collect();
             let what = format!("attribute of class `{}`:", class.name);
             self.unknown(&what, name, known.iter().map(String::as_str));

@@ -65,14 +65,15 @@ impl Resolver {
             (wanted, found) => wanted == found,
         };
         if !fits {
-            self.mismatch(expr.span, &self.domain.show_type(ty), found);
+            self.mismatch(expr.span, &self.show_ty(ty.into()), found);
             return None;
         }
         if let (Type::Int(low, high), Some(constant)) = (ty, value.constant())
             && !(low..=high).contains(&constant)
         {
             let message = format!("`{constant}` is not in the range `{low}..={high}`");
-            self.error(Code::OutOfRange, expr.span, message);
+            self.error(Code::OutOfRange, expr.span, message).help =
+                Some("write a value of the range, or widen it where it is declared".to_owned());
             return None;
         }
         Some(value)
@@ -84,6 +85,10 @@ impl Resolver {
     }
 
     fn mismatch(&mut self, span: Span, wanted: &str, found: Ty) {
+        if matches!(found, Ty::Class(class) if self.is_orphan(class)) {
+            self.silenced += 1;
+            return;
+        }
         let found = self.show_ty(found);
         self.error(Code::TypeMismatch, span, format!("expected {wanted}, found {found}")).help =
             Some(format!("write a value of {wanted} here, or change the declaration"));
@@ -291,7 +296,9 @@ impl Resolver {
     }
 
     fn check_bound(&mut self, what: &str, name: &ast::Name, bound: bool) {
-        if !bound {
+        if !bound && !self.unbound.insert(name.text.clone()) {
+            self.silenced += 1;
+        } else if !bound {
             let message = format!("{what} `{}` is read before it is bound", name.text);
             self.error(Code::ReadBeforeBound, name.span, message).help =
                 Some(format!("bind `{}` in an earlier message or declaration", name.text));

@@ -8,14 +8,13 @@ mod expr;
 mod flow;
 mod scenario;
 mod sections;
-mod suggest;
 
 use super::{ClassId, Domain, EventRef, ObjectId, OperationId, Spec, Type};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::suggest::nearest;
 use crate::syntax::Span;
 use crate::syntax::ast;
 use std::collections::{BTreeMap, BTreeSet};
-use suggest::did_you_mean;
 
 /// Resolves a specification: the files in order of import, the one that was asked for last.
 ///
@@ -44,6 +43,9 @@ pub fn resolve(files: &[ast::File]) -> (Option<Spec>, Vec<Diagnostic>) {
     )
 }
 
+/// So many other places of one mistake are shown.
+const MOST_LABELS: usize = 3;
+
 /// What a top-level name stands for. Classes, enums and objects share one name space.
 #[derive(Clone, Copy, Debug)]
 enum Meaning {
@@ -59,10 +61,29 @@ struct Resolver {
     names: BTreeMap<String, (Meaning, Span)>,
     /// Names of declarations that were wrong: that they are unknown follows from a mistake reported already.
     lost: BTreeSet<String>,
+    /// The error about each unknown name, apart for members of classes.
+    unknown: BTreeMap<(bool, String), usize>,
+    /// Classes whose base is unknown, and so what they inherit.
+    orphans: BTreeSet<ClassId>,
     diagnostics: Vec<Diagnostic>,
+    /// What was read in the scenario at hand before it was bound.
+    unbound: BTreeSet<String>,
+    /// Mistakes that follow from others and are not reported.
+    silenced: usize,
 }
 
 impl Resolver {
+    /// Grows with every mistake, reported or not.
+    fn mistakes(&self) -> usize {
+        self.diagnostics.len() + self.silenced
+    }
+
+    /// Whether nobody knows all that the class inherits; then what seems wrong with it is no mistake of its own.
+    fn is_orphan(&self, class: ClassId) -> bool {
+        std::iter::successors(Some(class), |&c| self.domain.classes[c].base)
+            .any(|c| self.orphans.contains(&c))
+    }
+
     fn error(&mut self, code: Code, span: Span, message: impl Into<String>) -> &mut Diagnostic {
         self.diagnostics.push(Diagnostic::error(code, span, message));
         let last = self.diagnostics.len() - 1;
@@ -79,14 +100,29 @@ impl Resolver {
     }
 
     /// Reports a name that means nothing, with the nearest of `candidates` if one is near, unless its declaration was
-    /// reported.
+    /// reported. A name that was unknown before becomes a label of the error about the first one.
     fn unknown<'a>(&mut self, what: &str, name: &ast::Name, candidates: impl Iterator<Item = &'a str>) {
         if self.lost.contains(&name.text) {
+            self.silenced += 1;
             return;
         }
-        let near = did_you_mean(&name.text, candidates);
-        let help =
-            near.unwrap_or_else(|| format!("declare `{}`, or write a name that is declared", name.text));
+        let is_member = what.contains(" of ");
+        let key = (is_member, if is_member { attribute_name(&name.text) } else { name.text.clone() });
+        if let Some(&first) = self.unknown.get(&key) {
+            self.silenced += 1;
+            let labels = &mut self.diagnostics[first].labels;
+            if labels.len() < MOST_LABELS {
+                labels.push((name.span, "and here".to_owned()));
+            }
+            return;
+        }
+        self.unknown.insert(key, self.diagnostics.len());
+        let help = match foreign(&name.text, what).or_else(|| {
+            nearest(&name.text, candidates).map(|near| format!("write `{near}`, which is declared"))
+        }) {
+            Some(help) => help,
+            None => format!("declare `{}`, or write a name that is declared", name.text),
+        };
         let diagnostic = self.error(Code::UnknownName, name.span, format!("unknown {what} `{}`", name.text));
         diagnostic.help = Some(help);
     }
@@ -142,6 +178,10 @@ impl Resolver {
             return Some(found);
         }
         let known: Vec<String> = operations.map(|&op| domain.operations[op].name.clone()).collect();
+        if self.is_orphan(class) {
+            self.silenced += 1;
+            return None;
+        }
         let what = format!("operation of class `{}`:", domain.classes[class].name);
         self.unknown(&what, name, known.iter().map(String::as_str));
         None
@@ -152,6 +192,31 @@ impl Resolver {
         let operation = self.operation(class, &event.operation)?;
         Some(EventRef { class, operation })
     }
+}
+
+/// `location` for `setLocation`; other names as they are.
+fn attribute_name(operation: &str) -> String {
+    match operation.strip_prefix("set").and_then(|rest| rest.split_at_checked(1)) {
+        Some((first, rest)) => format!("{}{rest}", first.to_ascii_lowercase()),
+        None => operation.to_owned(),
+    }
+}
+
+/// Help for types and values that other languages have.
+fn foreign(name: &str, what: &str) -> Option<String> {
+    const INTEGERS: [&str; 9] = ["int", "Int", "integer", "Integer", "i32", "u32", "u8", "long", "short"];
+    const TEXTS: [&str; 4] = ["String", "string", "str", "char"];
+    let help = match (what, name) {
+        ("type", "boolean" | "Boolean" | "Bool" | "BOOL") => "write `bool`".to_owned(),
+        ("type", _) if INTEGERS.contains(&name) => "write a range of integers such as `0..=9`".to_owned(),
+        ("type", _) if TEXTS.contains(&name) => "declare an `enum` with the texts that can occur".to_owned(),
+        ("name", "True" | "TRUE" | "yes") => "write `true`".to_owned(),
+        ("name", "False" | "FALSE" | "no") => "write `false`".to_owned(),
+        ("name", "None" | "nil" | "NULL" | "Null" | "nullptr") => "write `null`".to_owned(),
+        ("name", "self" | "this") => "write the name of the object".to_owned(),
+        _ => return None,
+    };
+    Some(help)
 }
 
 /// Finds out which attributes can change at all: those at a position that an effect assigns in a related class, and

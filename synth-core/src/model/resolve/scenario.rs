@@ -58,7 +58,9 @@ impl Resolver {
                 }
                 (true, None) => {}
                 (false, Some((object, place))) => {
-                    if !self.domain.is_a(self.domain.objects[object].class, class) {
+                    if self.is_orphan(self.domain.objects[object].class) {
+                        self.silenced += 1;
+                    } else if !self.domain.is_a(self.domain.objects[object].class, class) {
                         let message = format!("object `{}` is no `{}`", role.name.text, role.class.text);
                         let diagnostic = self.error(Code::TypeMismatch, role.class.span, message);
                         diagnostic.labels.push((place, "the object is declared here".to_owned()));
@@ -86,7 +88,8 @@ impl Resolver {
                 Some("write the messages that it is about, or remove it".to_owned());
             return None;
         }
-        let errors = self.diagnostics.len();
+        let mistakes = self.mistakes();
+        self.unbound.clear();
         let initial = flow::initial_messages(&scenario.body);
         let mut builder = Builder {
             resolver: self,
@@ -108,7 +111,7 @@ impl Resolver {
         }
         builder.body(&scenario.body, 0);
         let Builder { nodes, variables, initial_nodes, .. } = builder;
-        if self.diagnostics.len() > errors {
+        if self.mistakes() > mistakes {
             return None;
         }
         let mut scenario = Scenario {
@@ -332,18 +335,17 @@ impl Builder<'_> {
             self.resolver.lost.insert(name.text.clone());
             return None;
         };
-        let value = match value {
-            Some(value) => Some(self.resolver.value_of_type(value, ty, &self.names, false)?),
-            None => None,
-        };
+        let has_value = value.is_some();
+        let value = value.and_then(|value| self.resolver.value_of_type(value, ty, &self.names, false));
         if self.names.variables.iter().any(|v| v.0 == name.text) {
             let message = format!("variable `{}` is declared a second time", name.text);
-            self.resolver.error(Code::DuplicateName, name.span, message);
+            self.resolver.error(Code::DuplicateName, name.span, message).help =
+                Some("rename it, or assign to the first without `var`".to_owned());
             return None;
         }
         let index = self.variables.len();
         self.variables.push(Variable { name: name.text.clone(), ty });
-        self.names.variables.push((name.text.clone(), index, ty, value.is_some()));
+        self.names.variables.push((name.text.clone(), index, ty, has_value));
         Some(self.push(parent, NodeKind::Assign(index, value), span))
     }
 
@@ -355,8 +357,9 @@ impl Builder<'_> {
         span: Span,
     ) -> Option<NodeId> {
         let (index, ty) = self.named_variable(name)?;
-        let value = self.resolver.value_of_type(value, ty, &self.names, false)?;
+        let value = self.resolver.value_of_type(value, ty, &self.names, false);
         self.mark_set(index);
+        let value = value?;
         Some(self.push(parent, NodeKind::Assign(index, Some(value)), span))
     }
 
@@ -383,7 +386,13 @@ impl Builder<'_> {
         span: Span,
     ) -> Option<NodeId> {
         let is_initial = self.initial.contains(&message.span);
-        let resolved = self.message(message)?;
+        let Some(resolved) = self.message(message) else {
+            self.bind_all_of(message);
+            if is_initial {
+                self.bind_roles_of_bindings();
+            }
+            return None;
+        };
         let sent_by_system = self.may_be_controllable(resolved.sender);
         if self.kind == Kind::Assumption && modifier.modality.is_some() && sent_by_system {
             let text = "an assumption cannot oblige the system: the sender of this message is controllable";
@@ -421,6 +430,22 @@ impl Builder<'_> {
             self.bind_roles_of_bindings();
         }
         Some(id)
+    }
+
+    /// What a wrong message would bind if it were right.
+    fn bind_all_of(&mut self, message: &ast::Message) {
+        for name in [&message.sender, &message.receiver] {
+            if let Some(role) = self.names.roles.iter_mut().find(|role| role.0 == name.text) {
+                role.3 = true;
+            }
+        }
+        for argument in &message.arguments {
+            if let ast::ArgumentKind::Bind(name) = &argument.kind
+                && let Some(variable) = self.names.variables.iter_mut().find(|v| v.0 == name.text)
+            {
+                variable.3 = true;
+            }
+        }
     }
 
     fn may_be_controllable(&self, sender: RoleRef) -> bool {

@@ -35,14 +35,14 @@ impl Reader {
         let (items, _) = self.braces(input, "`{`, roles and scenarios", |inside| {
             Ok(self.items(inside, starts, |input| {
                 let item = if self.at_any(input, &ITEMS[..2]) {
-                    if scenario_seen.get() {
+                    if scenario_seen.take() {
                         let error =
                             Diagnostic::error(Code::Syntax, self.span(input), "role behind a scenario");
                         self.report(error.help("move all roles before the first scenario"));
                     }
                     Item::Role(self.role(input)?)
                 } else {
-                    scenario_seen.set(true);
+                    scenario_seen.set(self.at_scenario(input));
                     Item::Scenario(self.scenario(input)?)
                 };
                 self.optional_separator(input);
@@ -80,15 +80,20 @@ impl Reader {
             Some("guarantee" | "specification" | "requirement") => ScenarioKind::Guarantee,
             Some("existential") => ScenarioKind::Existential,
             _ => {
-                return Err(
-                    self.expected(input, "a role, or an assumption, guarantee or existential scenario")
-                );
+                let what = "a role, or an assumption, guarantee or existential scenario";
+                let mut error = self.expected_word(input, what, &ITEMS);
+                error.help = self.stray_item(input).or(error.help);
+                return Err(error);
             }
         };
         self.skip(input);
         self.keyword(input, "scenario")?;
         let name = self.name(input, "the name of the scenario")?;
         let bindings = self.bindings(input)?;
+        if !input.peek(syn::token::Brace) {
+            self.unbraced(input);
+            return Err(self.expected_word(input, "`{` and the body of the scenario", &["bindings"]));
+        }
         Ok(Scenario { requirement, kind, name, bindings, body: self.body(input)? })
     }
 
@@ -143,6 +148,10 @@ impl Reader {
             self.brackets(input, "`[` and constraints", |inside| {
                 self.list(inside, |inside| self.constraint(inside))
             })?
+        } else if input.peek2(syn::token::Bracket)
+            && let Some(help) = self.misspelt(input, &["constraints"])
+        {
+            return Err(Box::new(self.expected(input, "`constraints`").help(help)));
         } else {
             Vec::new()
         };
@@ -156,7 +165,13 @@ impl Reader {
             Some("ignore") => ConstraintKind::Ignore,
             Some("interrupt") => ConstraintKind::Interrupt,
             Some("consider") => ConstraintKind::Consider,
-            _ => return Err(self.expected(input, "`forbidden`, `ignore`, `interrupt` or `consider`")),
+            _ => {
+                let mut error = self.expected(input, "`forbidden`, `ignore`, `interrupt` or `consider`");
+                if error.help.is_none() && input.peek2(Token![->]) {
+                    error.help = Some("write one of them before the message".to_owned());
+                }
+                return Err(error);
+            }
         };
         self.skip(input);
         self.older_message_keyword(input);

@@ -32,7 +32,10 @@ impl Reader {
         match self.word(input).as_deref() {
             Some("enum") => self.enumeration(input).map(DomainItem::Enum),
             Some("class" | "abstract") => self.class(input).map(DomainItem::Class),
-            _ => Err(self.expected(input, "`class`, `abstract class` or `enum`")),
+            _ => {
+                let words = ["class", "abstract", "enum"];
+                Err(self.expected_word(input, "`class`, `abstract class` or `enum`", &words))
+            }
         }
     }
 
@@ -60,7 +63,7 @@ impl Reader {
         let (mut attributes, mut operations) = (Vec::new(), Vec::new());
         self.braces(input, "`{` and the members of the class", |inside| {
             self.list(inside, |inside| {
-                let name = self.name(inside, "an attribute or operation")?;
+                let name = self.member(inside, "an attribute or operation")?;
                 if inside.peek(syn::token::Paren) {
                     operations.push(Operation { name, parameters: self.parameters(inside)? });
                     return Ok(());
@@ -76,10 +79,23 @@ impl Reader {
         Ok(Class { is_abstract, name, base, attributes, operations })
     }
 
+    /// The name of what has a type.
+    fn member(&self, input: ParseStream<'_>, what: &str) -> Result<Name> {
+        let name = self.name(input, what);
+        let type_first = self.at(input, "bool") || input.peek(syn::LitInt);
+        name.map_err(|error| {
+            if type_first {
+                Box::new(error.help("write the name before the type: `name: type`"))
+            } else {
+                error
+            }
+        })
+    }
+
     fn parameters(&self, input: ParseStream<'_>) -> Result<Vec<(Name, Type)>> {
         let (parameters, _) = self.parens(input, "`(` and parameters", |inside| {
             self.comma_list(inside, |inside| {
-                let name = self.name(inside, "the name of a parameter")?;
+                let name = self.member(inside, "the name of a parameter")?;
                 self.punct(inside, Token![:], "`:` and the type of the parameter")?;
                 Ok((name, self.ty(inside)?))
             })
@@ -170,7 +186,10 @@ impl Reader {
 
     /// `- spontaneous events { eventRef* }`.
     pub(super) fn non_spontaneous(&self, input: ParseStream<'_>) -> Result<Vec<EventRef>> {
-        self.punct(input, Token![-], "`-` of `non-spontaneous`")?;
+        if !self.eat_punct(input, Token![-]) {
+            let error = self.expected(input, "`-` of `non-spontaneous`");
+            return Err(Box::new(error.help("write `non-spontaneous events`")));
+        }
         self.keyword(input, "spontaneous")?;
         self.keyword(input, "events")?;
         let (events, _) =

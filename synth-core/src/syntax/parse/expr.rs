@@ -5,8 +5,8 @@ use syn::parse::ParseStream;
 
 use super::reader::{Reader, Result};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::syntax::Span;
 use crate::syntax::ast::{BinaryOp, Expr, ExprKind, Name, Path, UnaryOp};
+use crate::syntax::{Span, keywords};
 
 /// How high the tree of an expression may grow: chains of operators are read by a loop, but walked by recursion.
 const MAX_HEIGHT: usize = 512;
@@ -34,6 +34,9 @@ impl Reader {
     fn binary(&self, input: ParseStream<'_>, least: u8) -> Result<Operand> {
         let mut left = self.unary(input)?;
         let mut comparison = None;
+        if let Some(error) = self.no_operator(input) {
+            return Err(error);
+        }
         while let Some(op) = peek_operator(input).filter(|op| op.precedence() >= least) {
             let at = self.operator_span(input, op);
             if op.precedence() == COMPARISON
@@ -59,6 +62,15 @@ impl Reader {
             left = Operand { expr: Expr { kind, span: extent }, extent, height };
         }
         Ok(left)
+    }
+
+    /// The error that an operand is followed by an operator of another language.
+    fn no_operator(&self, input: ParseStream<'_>) -> Option<Box<Diagnostic>> {
+        let (found, meant) = self.foreign_operator(input)?;
+        let mut span = self.span(input);
+        span.end.column = span.start.column + found.len() as u32;
+        let error = Diagnostic::error(Code::Syntax, span, format!("`{found}` is no operator of expressions"));
+        Some(Box::new(error.help(format!("write `{meant}` instead of `{found}`"))))
     }
 
     fn operator_span(&self, input: ParseStream<'_>, op: BinaryOp) -> Span {
@@ -92,11 +104,24 @@ impl Reader {
             let (inner, extent) = self.parens(input, "`(`", |inside| self.binary(inside, 0))?;
             return Ok(Operand { extent, ..inner });
         }
+        let start = self.span(input);
         let literal = self.simple(input, "an expression")?;
         let ExprKind::Path(mut path) = literal.kind else { return Ok(Operand::leaf(literal)) };
+        if path.names[0].text == "not" && self.at_operand(input) {
+            let error = Diagnostic::error(Code::Syntax, start, "`not` is no operator of expressions");
+            return Err(Box::new(error.help("write `!` instead of `not`")));
+        }
         self.path_rest(input, &mut path)?;
         let span = path.span;
         Ok(Operand::leaf(Expr { kind: ExprKind::Path(path), span }))
+    }
+
+    /// Whether an operand begins here, where none can stand behind a name.
+    fn at_operand(&self, input: ParseStream<'_>) -> bool {
+        input.peek(syn::token::Paren)
+            || self.word(input).is_some_and(|word| !keywords::is_reserved(&word))
+                && !input.peek2(Token![->])
+                && (input.peek2(Token![==]) || !input.peek2(Token![=]))
     }
 
     /// `true | false | int | null | ID | ID : ID`.

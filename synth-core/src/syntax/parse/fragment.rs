@@ -8,7 +8,8 @@ use crate::syntax::ast::{
     Argument, ArgumentKind, Case, Expr, Fragment, FragmentKind, Message, Modality, Modifier,
 };
 
-const MODIFIERS: [&str; 6] = ["strict", "monitored", "eventually", "urgent", "requested", "committed"];
+pub(super) const MODIFIERS: [&str; 6] =
+    ["strict", "monitored", "eventually", "urgent", "requested", "committed"];
 
 impl Reader {
     pub(super) fn fragment(&self, input: ParseStream<'_>) -> Result<Fragment> {
@@ -47,7 +48,9 @@ impl Reader {
                 let modifier = self.modifier(input)?;
                 Ok(FragmentKind::Message(modifier, self.message(input)?))
             }
-            _ if input.peek2(Token![=]) && !input.peek2(Token![==]) && !input.peek2(Token![=>]) => {
+            _ if input.peek2(Token![:])
+                || input.peek2(Token![=]) && !input.peek2(Token![==]) && !input.peek2(Token![=>]) =>
+            {
                 let name = self.name(input, "the name of a variable")?;
                 self.punct(input, Token![=], "`=`")?;
                 Ok(FragmentKind::Assignment(name, self.expr(input)?))
@@ -63,7 +66,18 @@ impl Reader {
                 let error = self.expected(input, "a fragment");
                 Err(Box::new(error.help("close the body of the scenario before the next one begins")))
             }
-            _ => Ok(FragmentKind::Message(Modifier::default(), self.message(input)?)),
+            "forbidden" | "ignore" | "consider" | "constraints" => {
+                let error = self.expected(input, "a fragment");
+                let constraint = if word == "constraints" { "…" } else { &format!("{word} …") };
+                let help = format!("move it behind a body: `{{ … }} constraints [ {constraint} ]`");
+                Err(Box::new(error.help(help)))
+            }
+            _ => {
+                if let Some(help) = self.misspelt_fragment(input, &word) {
+                    return Err(Box::new(self.expected(input, "a fragment").help(help)));
+                }
+                Ok(FragmentKind::Message(Modifier::default(), self.message(input)?))
+            }
         }
     }
 
@@ -99,20 +113,51 @@ impl Reader {
         if !older {
             self.eat(input, "until");
         }
+        if self.at(input, "strict") {
+            let error = self.expected(input, "`[` and a condition");
+            return Err(Box::new(error.help("write `wait strict eventually`")));
+        }
+        if input.peek2(syn::token::Bracket)
+            && let Some(help) = self.misspelt(input, &["until", "strict", "eventually"])
+        {
+            return Err(Box::new(self.expected(input, "`[` and a condition").help(help)));
+        }
         Ok(FragmentKind::Wait { strict, eventually, condition: self.condition(input)? })
     }
 
     fn optional_condition(&self, input: ParseStream<'_>) -> Result<Option<Expr>> {
-        if input.peek(syn::token::Bracket) { self.condition(input).map(Some) } else { Ok(None) }
+        if input.peek(syn::token::Brace) { Ok(None) } else { self.condition_or_body(input).map(Some) }
+    }
+
+    fn condition_or_body(&self, input: ParseStream<'_>) -> Result<Expr> {
+        if input.peek(syn::token::Bracket) || input.peek(syn::token::Paren) {
+            return self.condition(input);
+        }
+        Err(self.expected(input, "`{`, or a condition in `[ … ]`"))
     }
 
     fn condition(&self, input: ParseStream<'_>) -> Result<Expr> {
+        if self.word(input).is_some() && input.peek2(Token![->]) {
+            let error = self.expected(input, "`[` and a condition");
+            return Err(Box::new(error.help(
+                "move a constraint behind the body: `{ … } constraints [ interrupt … ]`, or write a condition \
+                 in `[ … ]`",
+            )));
+        }
+        if self.word(input).is_some() || input.peek(Token![!]) {
+            let error = self.expected(input, "`[` and a condition");
+            return Err(Box::new(error.help("put the condition into brackets: `[ … ]`")));
+        }
         self.brackets(input, "`[` and a condition", |inside| self.expr(inside))
     }
 
     fn variable(&self, input: ParseStream<'_>) -> Result<FragmentKind> {
         self.keyword(input, "var")?;
         let ty = self.ty(input)?;
+        if input.peek(Token![=]) || input.peek(Token![:]) {
+            let error = self.expected(input, "the name of the variable");
+            return Err(Box::new(error.help("write the type before the name: `var bool name = …`")));
+        }
         let name = self.name(input, "the name of the variable")?;
         let value = if self.eat_punct(input, Token![=]) { Some(self.expr(input)?) } else { None };
         Ok(FragmentKind::Variable(ty, name, value))
@@ -122,13 +167,22 @@ impl Reader {
     fn modifier(&self, input: ParseStream<'_>) -> Result<Modifier> {
         let strict = self.eat(input, "strict");
         let monitored = self.eat(input, "monitored");
+        let modality_word = MODIFIERS.into_iter().find(|word| self.at(input, word)).unwrap_or_default();
         let modality = match self.word(input).as_deref() {
             Some("eventually") => Some(Modality::Eventually),
             Some("urgent") => Some(Modality::Urgent),
             Some("requested") => Some(Modality::Requested),
             Some("committed") => Some(Modality::Committed),
             _ if monitored => {
-                return Err(self.expected(input, "`eventually`, `urgent`, `requested` or `committed`"));
+                let what = "`eventually`, `urgent`, `requested` or `committed`";
+                let mut error = self.expected(input, what);
+                let help = if self.at(input, "strict") {
+                    self.order_of_modifiers(&["monitored"], input)
+                } else {
+                    "write one of them behind `monitored`".to_owned()
+                };
+                error.help.get_or_insert(help);
+                return Err(error);
             }
             _ => None,
         };
@@ -136,10 +190,19 @@ impl Reader {
             self.skip(input);
         }
         if self.at_any(input, &MODIFIERS) {
+            let taken = [(strict, "strict"), (monitored, "monitored"), (modality.is_some(), modality_word)];
+            let taken: Vec<&str> = taken.into_iter().filter(|one| one.0).map(|one| one.1).collect();
             let error = self.expected(input, "the sender of the message");
             return Err(Box::new(
-                error.note("the order is `strict`, then `monitored`, then one of the modalities"),
+                error
+                    .note("the order is `strict`, then `monitored`, then one of the modalities")
+                    .help(self.order_of_modifiers(&taken, input)),
             ));
+        }
+        if input.cursor().ident().is_some_and(|(_, rest)| rest.ident().is_some())
+            && let Some(help) = self.misspelt(input, &MODIFIERS)
+        {
+            return Err(Box::new(self.expected(input, "the sender of the message").help(help)));
         }
         Ok(Modifier { strict, monitored, modality })
     }
@@ -173,6 +236,10 @@ impl Reader {
                 self.skip(input);
             }
             ArgumentKind::Bind(self.name(input, "the variable to bind")?)
+        } else if input.cursor().ident().is_some_and(|(_, rest)| rest.ident().is_some())
+            && let Some(help) = self.misspelt(input, &["bind"])
+        {
+            return Err(Box::new(self.expected(input, "an argument").help(help)));
         } else {
             ArgumentKind::Value(self.expr(input)?)
         };

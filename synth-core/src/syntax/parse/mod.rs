@@ -7,6 +7,7 @@ mod collaboration;
 mod domain;
 mod expr;
 mod fragment;
+mod hints;
 mod reader;
 
 use proc_macro2::TokenStream;
@@ -14,12 +15,22 @@ use syn::Token;
 use syn::parse::{ParseStream, Parser as _};
 
 use super::ast::{Controllable, File, Import, Name, Section};
-use super::{FileId, Span};
+use super::{FileId, Pos, Span};
 use crate::diagnostic::{Code, Diagnostic};
 use reader::{Reader, Result};
 
-/// Reads a whole file. The tree is complete if there are no diagnostics.
-pub(super) fn parse(tokens: TokenStream, file: FileId, end: Span) -> (Option<File>, Vec<Diagnostic>) {
+/// What was read of a file.
+pub(super) struct Parsed {
+    /// Complete if there are no errors.
+    pub(super) tree: Option<File>,
+    /// In the order in which they were found.
+    pub(super) errors: Vec<Diagnostic>,
+    /// Where a brace was due, or the file: if braces do not match, this is where they went wrong.
+    pub(super) unbraced: Option<Pos>,
+}
+
+/// Reads a whole file.
+pub(super) fn parse(tokens: TokenStream, file: FileId, end: Span) -> Parsed {
     let reader = Reader::new(file, end);
     let mut tree = None;
     let consumed = |input: ParseStream<'_>| {
@@ -27,12 +38,12 @@ pub(super) fn parse(tokens: TokenStream, file: FileId, end: Span) -> (Option<Fil
         Ok(())
     };
     let leftover = consumed.parse2(tokens).err();
-    let mut errors = reader.into_errors();
+    let (mut errors, unbraced) = reader.into_errors();
     // Every rule reports what it leaves behind; this only keeps a slip in one of them from going unnoticed.
     if let Some(error) = leftover.filter(|_| errors.is_empty()) {
         errors.push(Diagnostic::error(Code::Syntax, end, error.to_string()));
     }
-    (tree, errors)
+    Parsed { tree, errors, unbraced }
 }
 
 /// The words that begin a section.
@@ -71,7 +82,14 @@ impl Reader {
         if sections.is_some() {
             self.optional_semicolon(input);
             if !input.is_empty() {
-                self.report(*self.expected(input, "the end of the file"));
+                self.unbraced(input);
+                let mut error = self.expected(input, "the end of the file");
+                if let Some((_, span)) = &sections {
+                    let end = Pos { column: span.end.column.saturating_sub(1), ..span.end };
+                    let place = Span { start: end, ..*span };
+                    error.labels.push((place, "the specification ends here".to_owned()));
+                }
+                self.report(*error);
             }
         }
         Some(File { imports, name: name?, sections: sections?.0 })
@@ -95,8 +113,10 @@ impl Reader {
     fn header(&self, input: ParseStream<'_>) -> Result<Name> {
         self.eat(input, "system");
         if !self.at(input, "specification") {
-            let error = self.expected(input, "`specification`");
-            return Err(Box::new(error.help("begin with `specification Name { … }`")));
+            let mut error =
+                self.expected_word(input, "`specification`", &["specification", "import", "system"]);
+            error.help.get_or_insert_with(|| "begin with `specification Name { … }`".to_owned());
+            return Err(error);
         }
         self.keyword(input, "specification")?;
         self.name(input, "the name of the specification")
@@ -146,6 +166,9 @@ impl Reader {
         }
         if self.at_any(input, &["static", "dynamic"]) {
             return Box::new(error.help("put roles into `collaboration Name { … }`"));
+        }
+        if let Some(help) = self.stray_item(input).or_else(|| self.misspelt_section(input)) {
+            return Box::new(error.help(help));
         }
         Box::new(error.note(
             "sections are `domain`, `object`, `effects`, `controllable`, `non-spontaneous events`, \

@@ -9,7 +9,7 @@ use syn::token::{Brace, Bracket, Paren};
 
 use crate::diagnostic::{Code, Diagnostic};
 use crate::syntax::ast::Name;
-use crate::syntax::{FileId, MAX_DEPTH, Span, keywords, lexis, tokens};
+use crate::syntax::{FileId, MAX_DEPTH, Pos, Span, keywords, lexis, tokens};
 
 /// A rule's tree, or why there is none.
 pub(super) type Result<T> = std::result::Result<T, Box<Diagnostic>>;
@@ -24,15 +24,23 @@ pub(super) struct Reader {
     closing: RefCell<Vec<&'static str>>,
     /// Levels of operators; `closing` counts those of delimiters.
     depth: Cell<usize>,
+    /// The first place where a brace was due.
+    unbraced: Cell<Option<Pos>>,
 }
 
 impl Reader {
     pub(super) fn new(file: FileId, end: Span) -> Self {
-        Reader { file, end, errors: RefCell::default(), closing: RefCell::default(), depth: Cell::new(0) }
+        let (errors, closing) = (RefCell::default(), RefCell::default());
+        Reader { file, end, errors, closing, depth: Cell::new(0), unbraced: Cell::new(None) }
     }
 
-    pub(super) fn into_errors(self) -> Vec<Diagnostic> {
-        self.errors.into_inner()
+    pub(super) fn into_errors(self) -> (Vec<Diagnostic>, Option<Pos>) {
+        (self.errors.into_inner(), self.unbraced.get())
+    }
+
+    /// Remembers that the braces do not fit here.
+    pub(super) fn unbraced(&self, input: ParseStream<'_>) {
+        self.unbraced.set(self.unbraced.get().or_else(|| Some(self.span(input).start)));
     }
 
     pub(super) fn report(&self, error: Diagnostic) {
@@ -127,7 +135,21 @@ impl Reader {
         if input.cursor().punct().is_some() {
             span.end.column = span.start.column + operator(input).len() as u32;
         }
-        Box::new(Diagnostic::error(Code::Syntax, span, message))
+        let mut error = Diagnostic::error(Code::Syntax, span, message);
+        error.help = self.hint(input, what);
+        Box::new(error)
+    }
+
+    /// The error that `what` should come next, which begins with one of `words`.
+    pub(super) fn expected_word(
+        &self,
+        input: ParseStream<'_>,
+        what: &str,
+        words: &[&str],
+    ) -> Box<Diagnostic> {
+        let mut error = self.expected(input, what);
+        error.help = self.misspelt(input, words).or(error.help);
+        error
     }
 
     fn found(&self, input: ParseStream<'_>) -> String {
@@ -141,6 +163,9 @@ impl Reader {
             Some((TokenTree::Group(_), _)) => "`(`".to_owned(),
             Some((TokenTree::Ident(word), _)) if keywords::is_reserved(&word.to_string()) => {
                 format!("the keyword `{word}`")
+            }
+            Some((TokenTree::Punct(hash), _)) if hash.as_char() == '#' && input.peek2(Bracket) => {
+                "the requirement of a scenario".to_owned()
             }
             Some((TokenTree::Punct(_), _)) => format!("`{}`", operator(input)),
             Some((TokenTree::Literal(literal), _)) if literal.to_string().starts_with('"') => {
@@ -224,7 +249,10 @@ impl Reader {
             items.push(item(input)?);
             if !input.is_empty() {
                 let closing = self.closing.borrow().last().copied().unwrap_or_default();
-                self.punct(input, Token![,], &format!("`,` or `{closing}`"))?;
+                if !self.eat_punct(input, Token![,]) {
+                    let error = self.expected(input, &format!("`,` or `{closing}`"));
+                    return Err(self.missing_comma(input, error));
+                }
             }
         }
         Ok(items)
@@ -238,6 +266,7 @@ impl Reader {
         inside: impl FnOnce(ParseStream<'_>) -> Result<T>,
     ) -> Result<(T, Span)> {
         if !input.peek(Brace) {
+            self.unbraced(input);
             return Err(self.expected(input, what));
         }
         self.group(input, open_braces, "}", inside)
@@ -322,7 +351,7 @@ impl Reader {
 }
 
 /// The operator at `input`, whole: `=>` rather than `=`.
-fn operator(input: ParseStream<'_>) -> String {
+pub(super) fn operator(input: ParseStream<'_>) -> String {
     let mut text = String::new();
     let mut cursor = input.cursor();
     while let Some((punct, rest)) = cursor.punct() {

@@ -1,8 +1,10 @@
 //! Every kind of mistake, at its place.
 
 use super::{parse, unmark};
+use std::io::{self, Read as _};
+
 use crate::diagnostic::Code;
-use crate::syntax::{FileId, Pos, decode, parse_text, parse_tokens};
+use crate::syntax::{FileId, MAX_BYTES, Pos, decode, parse_text, parse_tokens, read_bounded};
 
 /// The diagnostics of the text are exactly its marks, each `~~~~ CODE message` under the place.
 #[track_caller]
@@ -215,8 +217,8 @@ fn expressions() {
     check_body("wait [a < b < c]\n            ~ 13 comparisons do not chain");
     check_body("wait [a == b != c]\n             ~~ 13 comparisons do not chain");
     check_body("wait [a +]\n         ~ 4 expected an expression, found `]`");
-    check_body("wait [a & b]\n        ~ 4 expected `]`, found `&`");
-    check_body("wait [a = b]\n        ~ 4 expected `]`, found `=`");
+    check_body("wait [a & b]\n        ~ 4 `&` is no operator of expressions");
+    check_body("wait [a = b]\n        ~ 4 `=` is no operator of expressions");
     check_body("wait [E::b]\n        ~ 4 expected a literal of the enum, found `:`");
     check_body("wait [a.1]\n        ~ 4 expected the name of an attribute, found `1`");
 }
@@ -344,6 +346,33 @@ fn encoding() {
     assert_eq!(decode("é".as_bytes(), FileId(0)), Ok("é"));
     let error = decode(b"\xef\xbb\xbfa\n\xc3\xa9b\xff\n", FileId(0)).expect_err("no UTF-8");
     assert_eq!((error.code, error.span.start), (Code::Encoding, Pos { line: 2, column: 3 }));
+    let text = "specification X { }\n";
+    let wide = |order: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(order).collect::<Vec<u8>>();
+    for bytes in [
+        wide(u16::to_le_bytes),
+        wide(u16::to_be_bytes),
+        [&[0xFF, 0xFE][..], &wide(u16::to_le_bytes)].concat(),
+        [&[0xFE, 0xFF][..], &wide(u16::to_be_bytes)].concat(),
+    ] {
+        let error = decode(&bytes, FileId(0)).expect_err("UTF-16");
+        assert_eq!(error.message, "the file is UTF-16 text, not UTF-8");
+    }
+    for good in ["", "a", "\u{0}\u{0}\u{0}\u{0}"] {
+        assert_eq!(decode(good.as_bytes(), FileId(0)), Ok(good));
+    }
+}
+
+#[test]
+fn a_file_without_end_is_not_read_to_its_end() {
+    let read = |length| read_bounded(io::repeat(b' ').take(length)).map(|bytes| bytes.len() as u64);
+    assert_eq!(read(MAX_BYTES).expect("the largest file"), MAX_BYTES);
+    let error = read_bounded(io::repeat(b' ')).expect_err("endless");
+    assert_eq!(error.to_string(), "it is larger than 16 MiB, so it is no specification");
+}
+
+#[test]
+fn a_text_of_errors_is_given_up() {
+    assert_eq!(parse(&"€ ü ".repeat(100_000)).1.len(), 1000);
 }
 
 /// Both routes tell the same, except where Rust's lexer accepts nothing.

@@ -1,13 +1,17 @@
 //! "Did you mean …?": the nearest known name.
 
-/// Help that names the candidate nearest to `name`, if one is near enough to be a slip of the keyboard.
-pub(super) fn did_you_mean<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<String> {
+/// The candidate nearest to `name`, if one is near enough to be a slip of the keyboard; of several the first.
+///
+/// A third of the letters may be wrong, where a letter too many, one missing, a wrong one, and two that changed places
+/// count as one each; case does not count.
+pub(crate) fn nearest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let limit = name.chars().count().div_ceil(3);
     candidates
         .map(|candidate| (distance(&name.to_lowercase(), &candidate.to_lowercase()), candidate))
-        .filter(|&(distance, _)| distance <= limit)
+        // A name of one or two letters is not a slip of another one that shares none of them.
+        .filter(|&(distance, candidate)| distance <= limit && distance < candidate.chars().count())
         .min()
-        .map(|(_, candidate)| format!("write `{candidate}`, which is declared"))
+        .map(|(_, candidate)| candidate)
 }
 
 /// Edit distance with adjacent transpositions (optimal string alignment).
@@ -31,12 +35,11 @@ fn distance(a: &str, b: &str) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::did_you_mean;
+    use super::nearest;
 
     #[track_caller]
     fn check(name: &str, known: &[&str], expect: Option<&str>) {
-        let help = did_you_mean(name, known.iter().copied());
-        assert_eq!(help.as_deref(), expect.map(|e| format!("write `{e}`, which is declared")).as_deref());
+        assert_eq!(nearest(name, known.iter().copied()), expect);
     }
 
     #[test]
@@ -44,6 +47,8 @@ mod tests {
         check("feedAmr", &["feedArm", "feedBelt"], Some("feedArm"));
         check("feedarm", &["feedArm"], Some("feedArm"));
         check("x", &["controller"], None);
+        check("a", &["b"], None);
         check("press", &[], None);
+        check("ro", &["or", "and"], Some("or"));
     }
 }

@@ -1,0 +1,2 @@
+specification Tür { object 'a': 0x1f # €
+ /* /* */ wait [a = b]

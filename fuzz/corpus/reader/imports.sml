@@ -1,0 +1,2 @@
+import "a.sml" import "b.sml"; // c
+specification X { domain { abstract class A : B { } } }

@@ -1,0 +1,5 @@
+//! A folder is no specification.
+
+sml_macros::sml!("specs");
+
+fn main() {}
