@@ -1,6 +1,6 @@
 //! Assumptions that would help: a few standard shapes, each put into the specification and tried.
 //!
-//! The parts are messages that the scenarios of the core, and of what else is involved, speak of, as they stand there,
+//! Only those are tried that rule the counter-play out. The parts are messages that the scenarios of the core, and of what else is involved, speak of, as they stand there,
 //! and the events of the game. An assumption is suggested if with it
 //!
 //! * the specification is realizable,
@@ -12,6 +12,7 @@
 //!
 //! The system cannot violate any of them by their shape: none is strict, and they forbid events of the environment only.
 
+use super::Replay;
 use super::probe::Budget;
 use crate::explore::{Explored, explore};
 use crate::game::{Loss, YIELD, overpowered, solve, wins};
@@ -41,7 +42,9 @@ impl Suggestion {
     }
 }
 
-/// Most assumptions of one shape that are tried.
+/// Most assumptions of one shape with which the counter-play is played out once more.
+const MOST_REPLAYED: usize = 200;
+/// Most assumptions of one shape that are tried: with which the whole game is explored.
 const MOST_TRIED: usize = 16;
 
 /// What there is to build on.
@@ -62,10 +65,9 @@ pub(super) struct Basis<'a, 's> {
 pub(super) fn suggest(basis: &Basis<'_, '_>, mut budget: Budget) -> Vec<Suggestion> {
     let mut suggestions = Vec::new();
     for shape in basis.candidates() {
-        let works = |candidate: &&Candidate| basis.works(candidate, &mut budget);
-        if let Some(found) = shape.iter().take(MOST_TRIED).find(works) {
-            suggestions.push(found.suggestion(basis.spec()));
-        }
+        let promising = shape.iter().take(MOST_REPLAYED).filter(|candidate| basis.is_ruled_out_by(candidate));
+        let found = promising.take(MOST_TRIED).find(|candidate| basis.works(candidate, &mut budget));
+        suggestions.extend(found.map(|found| found.suggestion(basis.spec())));
     }
     suggestions
 }
@@ -189,11 +191,35 @@ impl<'s> Basis<'_, 's> {
         candidates
     }
 
+    /// The specification with the assumption as its last scenario.
+    fn with(&self, candidate: &Candidate) -> Spec {
+        let mut spec = self.spec().clone();
+        spec.scenarios.push(candidate.scenario(&spec));
+        spec
+    }
+
+    /// Whether the counter-play is none any more with the assumption: the environment may not go that way, or the loop is
+    /// not fair to it. It could help otherwise, too, but then it would be hard to see why; and this is quick to find out.
+    fn is_ruled_out_by(&self, candidate: &Candidate) -> bool {
+        let spec = self.with(candidate);
+        let Some(mut replay) = Replay::new(&spec, self.solved.explored.playout.semantics()) else {
+            return false;
+        };
+        let text = |&edge: &u32| self.event(edge).map_or("yield", |event| &event.text);
+        if self.play.iter().any(|edge| replay.follow(text(edge)).is_none()) {
+            return true;
+        }
+        let owes = |replay: &Replay<'_>| {
+            let mut open = replay.open().into_iter();
+            open.any(|key| replay.playout.key(key).scenario + 1 == spec.scenarios.len())
+        };
+        owes(&replay) && self.cycle.iter().all(|edge| replay.follow(text(edge)).is_none() || owes(&replay))
+    }
+
     /// Whether the specification with the assumption is as it should be.
     fn works(&self, candidate: &Candidate, budget: &mut Budget) -> bool {
-        let mut spec = self.spec().clone();
-        let assumption = spec.scenarios.len();
-        spec.scenarios.push(candidate.scenario(&spec));
+        let spec = self.with(candidate);
+        let assumption = spec.scenarios.len() - 1;
         let limits = budget.limits();
         let Ok(explored) = explore(&spec, self.solved.explored.playout.semantics(), &limits) else {
             budget.spend(limits.states);
