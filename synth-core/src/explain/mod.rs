@@ -209,7 +209,7 @@ pub const SILENCE: &str = "silence";
 pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
     let CounterPlay { play, cycle, loss } = counter_play(&solved.explored.game, &solved.solution)?;
     let spec = solved.explored.playout.spec();
-    let mut replay = Replay::new(spec, solved.explored.playout.semantics())?;
+    let mut replay = Replay::of(solved)?;
     let texts = |edges: &[u32]| edges.iter().map(|&edge| text(solved, edge)).collect::<Vec<_>>();
     let (play_edges, cycle_edges) = (play, cycle);
     let (play, mut cycle) = (texts(&play_edges), texts(&cycle_edges));
@@ -333,6 +333,12 @@ impl<'s> Replay<'s> {
         let mut playout = Playout::new(spec, semantics).ok()?;
         let config = playout.initial().ok()?;
         Some(Replay { playout, config, moves: Moves::default() })
+    }
+
+    /// In the specification that was solved.
+    fn of(solved: &Solved<'s>) -> Option<Self> {
+        let explored = &solved.explored.playout;
+        Self::new(explored.spec(), explored.semantics())
     }
 
     fn follow(&mut self, text: &str) -> Option<()> {

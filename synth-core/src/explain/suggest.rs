@@ -18,7 +18,7 @@ use crate::explore::{Explored, explore};
 use crate::game::{Loss, YIELD, overpowered, solve, wins};
 use crate::model::{
     Argument, Constraint, ConstraintKind, Expr, Kind, Message, Modality, Node, NodeId, NodeKind, RoleRef,
-    Scenario, Spec,
+    Scenario, Spec, UNSET,
 };
 use crate::pipeline::Solved;
 use crate::playout::{Config, Event, Key};
@@ -83,6 +83,10 @@ impl<'s> Basis<'_, 's> {
         (label != YIELD).then(|| self.solved.explored.playout.event(label))
     }
 
+    fn text(&self, edge: u32) -> &str {
+        self.event(edge).map_or("yield", |event| &event.text)
+    }
+
     fn events<'b>(&'b self, edges: &'b [u32]) -> impl DoubleEndedIterator<Item = &'b Event> {
         edges.iter().filter_map(|&edge| self.event(edge))
     }
@@ -115,6 +119,32 @@ impl<'s> Basis<'_, 's> {
         phrases
     }
 
+    /// What the copies of the scenarios wait for at the end of a play, with the objects that play their roles there.
+    fn awaited(&self, play: &[u32]) -> Vec<Phrase> {
+        let (spec, mut awaited) = (self.spec(), Vec::new());
+        let Some(mut replay) = Replay::of(self.solved) else {
+            return awaited;
+        };
+        if play.iter().any(|&edge| replay.follow(self.text(edge)).is_none()) {
+            return awaited;
+        }
+        for &home in self.scenarios {
+            let copies = replay.config.copies.iter().map(|&copy| replay.playout.copy(copy));
+            for copy in copies.filter(|copy| copy.scenario == home) {
+                let bound = |role| match role {
+                    RoleRef::Dynamic(r) if copy.roles[r] != UNSET => RoleRef::Object(copy.roles[r] as usize),
+                    role => role,
+                };
+                for message in copy.cut.iter().filter_map(|&node| spec.scenarios[home].message(node)) {
+                    let (sender, receiver) = (bound(message.sender), bound(message.receiver));
+                    let message = Message { sender, receiver, ..message.clone() };
+                    add(&mut awaited, Phrase::of_message(spec, home, &message));
+                }
+            }
+        }
+        awaited
+    }
+
     /// Everything that happens in the game.
     fn happenings(&self) -> Vec<Phrase> {
         let Explored { playout, game, .. } = &self.solved.explored;
@@ -144,7 +174,7 @@ impl<'s> Basis<'_, 's> {
         {
             answers.push(Phrase::of_message(self.spec(), key.scenario, message));
         }
-        for phrase in pool.into_iter().chain(self.happenings()) {
+        for phrase in self.awaited(self.play).into_iter().chain(pool).chain(self.happenings()) {
             if !self.events(self.cycle).any(|event| phrase.matches(self.spec(), event)) {
                 add(&mut answers, phrase);
             }
@@ -158,7 +188,7 @@ impl<'s> Basis<'_, 's> {
     fn not_again(&self) -> Vec<Candidate> {
         let pool = self.phrases(true);
         let repeated = self.happened(&pool, self.cycle);
-        self.delays(&repeated, |again| vec![again.clone()])
+        self.delays(&repeated, |again| vec![again.clone()], self.play)
     }
 
     /// The event that violates does not come again, or not at all, until something else happens.
@@ -170,11 +200,20 @@ impl<'s> Basis<'_, 's> {
         let happened = self.happened(&pool, before);
         let again: Vec<Phrase> = too_early.iter().filter(|&each| happened.contains(each)).cloned().collect();
         let causes = |early: &Phrase| happened.iter().filter(|&cause| cause != early).cloned().collect();
-        vec![self.delays(&again, |again| vec![again.clone()]), self.delays(&too_early, causes)]
+        vec![
+            self.delays(&again, |again| vec![again.clone()], before),
+            self.delays(&too_early, causes, before),
+        ]
     }
 
-    /// Some event does not come, from a cause on until something else happens.
-    fn delays(&self, events: &[Phrase], causes: impl Fn(&Phrase) -> Vec<Phrase>) -> Vec<Candidate> {
+    /// Some event does not come, from a cause on until something else happens: best what is awaited at the end of `play`.
+    fn delays(
+        &self,
+        events: &[Phrase],
+        causes: impl Fn(&Phrase) -> Vec<Phrase>,
+        play: &[u32],
+    ) -> Vec<Candidate> {
+        let awaited = self.awaited(play);
         let mut ends = self.phrases(false);
         for phrase in self.happenings() {
             add(&mut ends, phrase);
@@ -182,10 +221,12 @@ impl<'s> Basis<'_, 's> {
         let mut candidates = Vec::new();
         for event in events.iter().filter(|event| event.by_environment) {
             for cause in causes(event) {
-                // What comes after the cause in its scenario is the most natural end.
+                // Next best is what comes after the cause in its scenario.
                 let behind = ends.iter().position(|end| *end == cause).map_or(0, |cause| cause + 1);
-                let rotated = ends[behind..].iter().chain(&ends[..behind]).filter(|&end| end != event);
-                candidates.extend(rotated.filter_map(|end| Candidate::new(&cause, end, Some(event))));
+                let rotated = ends[behind..].iter().chain(&ends[..behind]);
+                let ends = awaited.iter().chain(rotated.filter(|end| !awaited.contains(end)));
+                let ends = ends.filter(|&end| end != event);
+                candidates.extend(ends.filter_map(|end| Candidate::new(&cause, end, Some(event))));
             }
         }
         candidates
@@ -205,15 +246,15 @@ impl<'s> Basis<'_, 's> {
         let Some(mut replay) = Replay::new(&spec, self.solved.explored.playout.semantics()) else {
             return false;
         };
-        let text = |&edge: &u32| self.event(edge).map_or("yield", |event| &event.text);
-        if self.play.iter().any(|edge| replay.follow(text(edge)).is_none()) {
+        if self.play.iter().any(|&edge| replay.follow(self.text(edge)).is_none()) {
             return true;
         }
         let owes = |replay: &Replay<'_>| {
             let mut open = replay.open().into_iter();
             open.any(|key| replay.playout.key(key).scenario + 1 == spec.scenarios.len())
         };
-        owes(&replay) && self.cycle.iter().all(|edge| replay.follow(text(edge)).is_none() || owes(&replay))
+        owes(&replay)
+            && self.cycle.iter().all(|&edge| replay.follow(self.text(edge)).is_none() || owes(&replay))
     }
 
     /// Whether the specification with the assumption is as it should be.
