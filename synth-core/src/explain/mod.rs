@@ -21,7 +21,7 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::game::{CounterPlay, Loss, YIELD, can_meet, counter_play};
 use crate::model::{Kind, Spec};
 use crate::pipeline::Solved;
-use crate::playout::{Config, Key, KeyId, Moves, Playout, Step};
+use crate::playout::{Config, Key, KeyId, Moves, Playout, Semantics, Step};
 use crate::syntax::{FileId, Span};
 use std::collections::BTreeSet;
 
@@ -202,8 +202,9 @@ pub const SILENCE: &str = "silence";
 
 /// Explains why the system cannot win from the initial state; `None` if it can.
 ///
-/// The counter-play costs about as much as solving the game once more, the core as much as [`Budget`] says: exploring
-/// and solving it twenty times at most, and in practice once or twice for each scenario of the core.
+/// The counter-play costs about as much as solving the game once more, the core and the suggestions each as much as
+/// [`Budget`] says: exploring and solving it ten times at most. In practice that is once or twice for each scenario of the
+/// core, and once for each assumption that is tried.
 #[must_use]
 pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
     explain_within(solved, usize::MAX)
@@ -215,7 +216,7 @@ pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
 pub fn explain_within(solved: &Solved<'_>, states: usize) -> Option<Explanation> {
     let CounterPlay { play, cycle, loss } = counter_play(&solved.explored.game, &solved.solution)?;
     let spec = solved.explored.playout.spec();
-    let mut replay = Replay::new(solved)?;
+    let mut replay = Replay::of(solved)?;
     let texts = |edges: &[u32]| edges.iter().map(|&edge| text(solved, edge)).collect::<Vec<_>>();
     let (play_edges, cycle_edges) = (play, cycle);
     let (play, mut cycle) = (texts(&play_edges), texts(&cycle_edges));
@@ -259,7 +260,7 @@ pub fn explain_within(solved: &Solved<'_>, states: usize) -> Option<Explanation>
         starved: findings.starved.as_ref(),
         scenarios: &speaking,
     };
-    let suggestions = suggest(&basis, prober.budget());
+    let suggestions = suggest(&basis, budget);
     let starved = findings.starved.map(|key| Starved {
         scenario: name(&key.scenario),
         fragment: spec.scenarios[key.scenario].nodes[usize::from(key.node)].span,
@@ -333,12 +334,18 @@ struct Replay<'s> {
 }
 
 impl<'s> Replay<'s> {
-    /// Nothing of this fails, and neither does [`Replay::follow`]: the same play has been explored before.
-    fn new(solved: &Solved<'s>) -> Option<Self> {
-        let explored = &solved.explored.playout;
-        let mut playout = Playout::new(explored.spec(), explored.semantics()).ok()?;
+    /// Nothing of this fails where the specification has been explored before, and neither does [`Replay::follow`] with a
+    /// play from there.
+    fn new(spec: &'s Spec, semantics: Semantics) -> Option<Self> {
+        let mut playout = Playout::new(spec, semantics).ok()?;
         let config = playout.initial().ok()?;
         Some(Replay { playout, config, moves: Moves::default() })
+    }
+
+    /// In the specification that was solved.
+    fn of(solved: &Solved<'s>) -> Option<Self> {
+        let explored = &solved.explored.playout;
+        Self::new(explored.spec(), explored.semantics())
     }
 
     fn follow(&mut self, text: &str) -> Option<()> {

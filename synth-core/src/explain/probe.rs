@@ -23,12 +23,12 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// For a game with so many states: each answer may take four times as many, all together twenty times; small games
+    /// For a game with so many states: each answer may take four times as many, all together ten times; small games
     /// may always grow to some thousands.
     #[must_use]
     pub fn for_states(states: usize) -> Self {
         let states = states.max(2_500);
-        Budget { each: states.saturating_mul(4), all: states.saturating_mul(20) }
+        Budget { each: states.saturating_mul(4), all: states.saturating_mul(10) }
     }
 
     /// At most so many states all together.
@@ -68,12 +68,6 @@ impl<'s> Prober<'s> {
     #[must_use]
     pub fn spec(&self) -> &'s Spec {
         self.playout.spec()
-    }
-
-    /// What is left of the budget.
-    #[must_use]
-    pub fn budget(&self) -> Budget {
-        self.budget
     }
 
     /// Tells what is known from elsewhere: whether the specification is realizable as it is.

@@ -65,7 +65,7 @@ impl Mention {
 
 /// Plays the play out once more, and then the cycle once; `None` if it is none of this specification.
 pub(super) fn annotate(solved: &Solved<'_>, play: &[String], cycle: &[String]) -> Option<Vec<PlayStep>> {
-    let mut replay = Replay::new(solved)?;
+    let mut replay = Replay::of(solved)?;
     let play = play.iter().map(|event| (event, false));
     play.chain(cycle.iter().map(|event| (event, true)))
         .map(|(event, in_loop)| {

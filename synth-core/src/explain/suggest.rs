@@ -1,6 +1,6 @@
 //! Assumptions that would help: a few standard shapes, each put into the specification and tried.
 //!
-//! The parts are messages that the scenarios of the core, and of what else is involved, speak of, as they stand there,
+//! Only those are tried that rule the counter-play out. The parts are messages that the scenarios of the core, and of what else is involved, speak of, as they stand there,
 //! and the events of the game. An assumption is suggested if with it
 //!
 //! * the specification is realizable,
@@ -12,12 +12,13 @@
 //!
 //! The system cannot violate any of them by their shape: none is strict, and they forbid events of the environment only.
 
+use super::Replay;
 use super::probe::Budget;
 use crate::explore::{Explored, explore};
 use crate::game::{Loss, YIELD, overpowered, solve, wins};
 use crate::model::{
     Argument, Constraint, ConstraintKind, Expr, Kind, Message, Modality, Node, NodeId, NodeKind, RoleRef,
-    Scenario, Spec,
+    Scenario, Spec, UNSET,
 };
 use crate::pipeline::Solved;
 use crate::playout::{Config, Event, Key};
@@ -41,7 +42,9 @@ impl Suggestion {
     }
 }
 
-/// Most assumptions of one shape that are tried.
+/// Most assumptions of one shape with which the counter-play is played out once more.
+const MOST_REPLAYED: usize = 200;
+/// Most assumptions of one shape that are tried: with which the whole game is explored.
 const MOST_TRIED: usize = 16;
 
 /// What there is to build on.
@@ -62,10 +65,9 @@ pub(super) struct Basis<'a, 's> {
 pub(super) fn suggest(basis: &Basis<'_, '_>, mut budget: Budget) -> Vec<Suggestion> {
     let mut suggestions = Vec::new();
     for shape in basis.candidates() {
-        let works = |candidate: &&Candidate| basis.works(candidate, &mut budget);
-        if let Some(found) = shape.iter().take(MOST_TRIED).find(works) {
-            suggestions.push(found.suggestion(basis.spec()));
-        }
+        let promising = shape.iter().take(MOST_REPLAYED).filter(|candidate| basis.is_ruled_out_by(candidate));
+        let found = promising.take(MOST_TRIED).find(|candidate| basis.works(candidate, &mut budget));
+        suggestions.extend(found.map(|found| found.suggestion(basis.spec())));
     }
     suggestions
 }
@@ -79,6 +81,10 @@ impl<'s> Basis<'_, 's> {
     fn event(&self, edge: u32) -> Option<&Event> {
         let label = self.solved.explored.game.label[edge as usize];
         (label != YIELD).then(|| self.solved.explored.playout.event(label))
+    }
+
+    fn text(&self, edge: u32) -> &str {
+        self.event(edge).map_or("yield", |event| &event.text)
     }
 
     fn events<'b>(&'b self, edges: &'b [u32]) -> impl DoubleEndedIterator<Item = &'b Event> {
@@ -113,6 +119,32 @@ impl<'s> Basis<'_, 's> {
         phrases
     }
 
+    /// What the copies of the scenarios wait for at the end of a play, with the objects that play their roles there.
+    fn awaited(&self, play: &[u32]) -> Vec<Phrase> {
+        let (spec, mut awaited) = (self.spec(), Vec::new());
+        let Some(mut replay) = Replay::of(self.solved) else {
+            return awaited;
+        };
+        if play.iter().any(|&edge| replay.follow(self.text(edge)).is_none()) {
+            return awaited;
+        }
+        for &home in self.scenarios {
+            let copies = replay.config.copies.iter().map(|&copy| replay.playout.copy(copy));
+            for copy in copies.filter(|copy| copy.scenario == home) {
+                let bound = |role| match role {
+                    RoleRef::Dynamic(r) if copy.roles[r] != UNSET => RoleRef::Object(copy.roles[r] as usize),
+                    role => role,
+                };
+                for message in copy.cut.iter().filter_map(|&node| spec.scenarios[home].message(node)) {
+                    let (sender, receiver) = (bound(message.sender), bound(message.receiver));
+                    let message = Message { sender, receiver, ..message.clone() };
+                    add(&mut awaited, Phrase::of_message(spec, home, &message));
+                }
+            }
+        }
+        awaited
+    }
+
     /// Everything that happens in the game.
     fn happenings(&self) -> Vec<Phrase> {
         let Explored { playout, game, .. } = &self.solved.explored;
@@ -142,7 +174,7 @@ impl<'s> Basis<'_, 's> {
         {
             answers.push(Phrase::of_message(self.spec(), key.scenario, message));
         }
-        for phrase in pool.into_iter().chain(self.happenings()) {
+        for phrase in self.awaited(self.play).into_iter().chain(pool).chain(self.happenings()) {
             if !self.events(self.cycle).any(|event| phrase.matches(self.spec(), event)) {
                 add(&mut answers, phrase);
             }
@@ -156,7 +188,7 @@ impl<'s> Basis<'_, 's> {
     fn not_again(&self) -> Vec<Candidate> {
         let pool = self.phrases(true);
         let repeated = self.happened(&pool, self.cycle);
-        self.delays(&repeated, |again| vec![again.clone()])
+        self.delays(&repeated, |again| vec![again.clone()], self.play)
     }
 
     /// The event that violates does not come again, or not at all, until something else happens.
@@ -168,11 +200,20 @@ impl<'s> Basis<'_, 's> {
         let happened = self.happened(&pool, before);
         let again: Vec<Phrase> = too_early.iter().filter(|&each| happened.contains(each)).cloned().collect();
         let causes = |early: &Phrase| happened.iter().filter(|&cause| cause != early).cloned().collect();
-        vec![self.delays(&again, |again| vec![again.clone()]), self.delays(&too_early, causes)]
+        vec![
+            self.delays(&again, |again| vec![again.clone()], before),
+            self.delays(&too_early, causes, before),
+        ]
     }
 
-    /// Some event does not come, from a cause on until something else happens.
-    fn delays(&self, events: &[Phrase], causes: impl Fn(&Phrase) -> Vec<Phrase>) -> Vec<Candidate> {
+    /// Some event does not come, from a cause on until something else happens: best what is awaited at the end of `play`.
+    fn delays(
+        &self,
+        events: &[Phrase],
+        causes: impl Fn(&Phrase) -> Vec<Phrase>,
+        play: &[u32],
+    ) -> Vec<Candidate> {
+        let awaited = self.awaited(play);
         let mut ends = self.phrases(false);
         for phrase in self.happenings() {
             add(&mut ends, phrase);
@@ -180,20 +221,46 @@ impl<'s> Basis<'_, 's> {
         let mut candidates = Vec::new();
         for event in events.iter().filter(|event| event.by_environment) {
             for cause in causes(event) {
-                // What comes after the cause in its scenario is the most natural end.
+                // Next best is what comes after the cause in its scenario.
                 let behind = ends.iter().position(|end| *end == cause).map_or(0, |cause| cause + 1);
-                let rotated = ends[behind..].iter().chain(&ends[..behind]).filter(|&end| end != event);
-                candidates.extend(rotated.filter_map(|end| Candidate::new(&cause, end, Some(event))));
+                let rotated = ends[behind..].iter().chain(&ends[..behind]);
+                let ends = awaited.iter().chain(rotated.filter(|end| !awaited.contains(end)));
+                let ends = ends.filter(|&end| end != event);
+                candidates.extend(ends.filter_map(|end| Candidate::new(&cause, end, Some(event))));
             }
         }
         candidates
     }
 
+    /// The specification with the assumption as its last scenario.
+    fn with(&self, candidate: &Candidate) -> Spec {
+        let mut spec = self.spec().clone();
+        spec.scenarios.push(candidate.scenario(&spec));
+        spec
+    }
+
+    /// Whether the counter-play is none any more with the assumption: the environment may not go that way, or the loop is
+    /// not fair to it. It could help otherwise, too, but then it would be hard to see why; and this is quick to find out.
+    fn is_ruled_out_by(&self, candidate: &Candidate) -> bool {
+        let spec = self.with(candidate);
+        let Some(mut replay) = Replay::new(&spec, self.solved.explored.playout.semantics()) else {
+            return false;
+        };
+        if self.play.iter().any(|&edge| replay.follow(self.text(edge)).is_none()) {
+            return true;
+        }
+        let owes = |replay: &Replay<'_>| {
+            let mut open = replay.open().into_iter();
+            open.any(|key| replay.playout.key(key).scenario + 1 == spec.scenarios.len())
+        };
+        owes(&replay)
+            && self.cycle.iter().all(|&edge| replay.follow(self.text(edge)).is_none() || owes(&replay))
+    }
+
     /// Whether the specification with the assumption is as it should be.
     fn works(&self, candidate: &Candidate, budget: &mut Budget) -> bool {
-        let mut spec = self.spec().clone();
-        let assumption = spec.scenarios.len();
-        spec.scenarios.push(candidate.scenario(&spec));
+        let spec = self.with(candidate);
+        let assumption = spec.scenarios.len() - 1;
         let limits = budget.limits();
         let Ok(explored) = explore(&spec, self.solved.explored.playout.semantics(), &limits) else {
             budget.spend(limits.states);

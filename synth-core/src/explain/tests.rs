@@ -207,3 +207,52 @@ fn a_goal_that_needs_the_other_guarantee_violated_is_in_conflict() {
          starved C.G guarantee scenario G { user -> control.press() eventually control -> lamp.on() }",
     );
 }
+
+/// The texts that are suggested.
+#[track_caller]
+fn check_suggestions(body: &str, expect: &[&str]) {
+    let text = WORLD.replace("BODY", body);
+    let loaded = load("world.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
+    let spec = specification(&loaded).expect("a specification");
+    let solved = play_and_solve(&spec, &Options::default(), &mut Timings::default()).expect("a game");
+    let suggestions = explain(&solved).expect("an explanation").suggestions;
+    let flat = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(suggestions.iter().map(|one| flat(&one.text)).collect::<Vec<_>>(), expect);
+}
+
+#[test]
+fn an_answer_is_suggested() {
+    check_suggestions(
+        "guarantee scenario G { user -> control.press() monitored eventually user -> control.release() }",
+        &["assumption scenario ReleaseFollowsPress \
+           { user -> control.press() eventually user -> control.release() }"],
+    );
+}
+
+#[test]
+fn no_repetition_is_suggested_under_a_name_that_is_free() {
+    check_suggestions(
+        "guarantee scenario G { user -> control.press() user -> control.release() }
+           constraints [ forbidden user -> control.press() ]
+         existential scenario NoPressBeforeRelease { user -> control.press() user -> control.release() }",
+        &["assumption scenario NoPressBeforeRelease2 { user -> control.press() user -> control.release() } \
+           constraints [ forbidden user -> control.press() ]"],
+    );
+}
+
+#[test]
+fn nothing_is_suggested_that_another_assumption_makes_impossible() {
+    check_suggestions(
+        "guarantee scenario G { user -> control.press() monitored eventually user -> control.release() }
+         assumption scenario Never { wait [false] } constraints [ forbidden user -> control.release() ]",
+        &[],
+    );
+}
+
+#[test]
+fn nothing_is_suggested_against_a_super_step_without_end() {
+    check_suggestions(
+        "guarantee scenario G { user -> control.press() while { urgent control -> lamp.on() } }",
+        &[],
+    );
+}
