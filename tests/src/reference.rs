@@ -29,6 +29,12 @@ impl<'a> Reference<'a> {
         Reference { tables, state: tables.initial, pending: BTreeSet::new(), log: Vec::new() }
     }
 
+    /// What it runs.
+    #[must_use]
+    pub fn tables(&self) -> &'a Tables {
+        self.tables
+    }
+
     /// `false` if the event is pending already.
     pub fn raise(&mut self, event: usize) -> bool {
         self.pending.insert(event)

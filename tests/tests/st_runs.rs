@@ -1,0 +1,422 @@
+//! The Structured Text runs, and does in every call what the interpreter of controllers does.
+//!
+//! `SML_CYCLES` asks for more than 1000 calls of each text.
+
+use sml_tests::reference::Reference;
+use sml_tests::tables::{self, Random, Size};
+use sml_tests::{corpus, fast};
+use st_evaluator::{Dialect, Instance, Unit};
+use synth_core::controller::cycle::Machine;
+use synth_core::controller::tables::{Provenance, Tables};
+use synth_core::controller::{Component, Controller, SuperStep};
+use synth_core::emit::st::{self, Integers, NameMap, Options, Trigger, Unexpected};
+use synth_core::pipeline::{Timings, synthesize};
+
+const CALLS: usize = 1000;
+
+fn calls() -> usize {
+    std::env::var("SML_CYCLES").ok().and_then(|text| text.parse().ok()).unwrap_or(CALLS)
+}
+
+/// The controller of every realizable specification of the corpus.
+fn corpus_controllers() -> Vec<(String, Controller)> {
+    let mut controllers = Vec::new();
+    for entry in corpus::all() {
+        let spec = fast::resolved(&entry.text).expect("the corpus is right");
+        let options = fast::options(false, 20_000);
+        let Ok(mut solved) = fast::solved(&spec, &options) else { continue };
+        if let Ok(verified) = synthesize(&mut solved, &options, &mut Timings::default()) {
+            controllers.push((entry.name, verified.controller));
+        }
+    }
+    assert!(controllers.len() > 20, "only {}", controllers.len());
+    controllers
+}
+
+/// What tables are the layout of. A super step that commands nothing has an event between controllable objects.
+fn controller(tables: &Tables) -> Controller {
+    let mut commands: Vec<_> = tables.components.iter().flat_map(|c| c.commands.iter().cloned()).collect();
+    let inner = commands.len() as u32;
+    commands.push(tables::event("ctl -> other.inner()"));
+    let mut first = 0;
+    let mut firsts = Vec::new();
+    let mut components = Vec::new();
+    for component in &tables.components {
+        let count = component.commands.len() as u32;
+        components
+            .push(Component { object: component.object.clone(), commands: (first..first + count).collect() });
+        firsts.push(first);
+        first += count;
+    }
+    let rows = tables.super_steps.source.iter().zip(&tables.super_steps.target).enumerate();
+    let super_steps = rows.map(|(row, (&source, &target))| {
+        let codes = tables.components.iter().zip(&firsts).filter(|(c, _)| c.codes[row] != 0);
+        let events =
+            codes.map(|(component, first)| first + component.codes[row] - 1).chain([inner]).collect();
+        SuperStep { source, target, events }
+    });
+    let rows = tables
+        .events
+        .iter()
+        .map(|e| e.mapping.source.iter().copied().zip(e.mapping.target.iter().copied()).collect());
+    Controller {
+        states: tables.states,
+        initial: tables.initial,
+        events: tables.events.iter().map(|table| table.event.clone()).collect(),
+        environment: rows.collect(),
+        super_steps: super_steps.collect(),
+        commands,
+        components,
+        owed: tables.owed.clone(),
+    }
+}
+
+/// The inputs of a call.
+struct Inputs {
+    enable: bool,
+    reset: bool,
+    events: Vec<bool>,
+}
+
+/// The outputs of a call.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct Outputs {
+    commands: Vec<u32>,
+    state: u32,
+    pending: Vec<bool>,
+    unexpected: bool,
+    overrun: bool,
+}
+
+/// The interface of the function block over the interpreter, as `docs/controller.md` tells it.
+struct Model<'a> {
+    options: Options,
+    machine: Machine<'a>,
+    /// Follows the machine, but can forget single events.
+    reference: Reference<'a>,
+    previous: Vec<bool>,
+    unexpected: bool,
+}
+
+impl<'a> Model<'a> {
+    fn new(tables: &'a Tables, controller: &'a Controller, options: Options) -> Model<'a> {
+        let previous = vec![false; tables.events.len()];
+        let (machine, reference) = (Machine::new(controller), Reference::new(tables));
+        Model { options, machine, reference, previous, unexpected: false }
+    }
+
+    fn call(&mut self, inputs: &Inputs) -> Outputs {
+        let tables = self.reference.tables();
+        let fault = self.options.unexpected == Unexpected::Fault;
+        self.unexpected &= fault;
+        let mut overrun = false;
+        let mut commands = vec![0; tables.components.len()];
+        if inputs.reset {
+            self.unexpected = false;
+            self.machine.reset();
+            self.reference = Reference::new(tables);
+        } else if inputs.enable && !self.unexpected {
+            for (event, &now) in inputs.events.iter().enumerate() {
+                if now && !(self.options.trigger == Trigger::Edge && self.previous[event]) {
+                    overrun |= !self.raise(event);
+                }
+            }
+            commands = self.run();
+        }
+        self.previous.clone_from(&inputs.events);
+        let state = self.reference.state;
+        let pending = (0..tables.events.len()).map(|event| self.reference.pending.contains(&event)).collect();
+        Outputs { commands, state, pending, unexpected: self.unexpected, overrun }
+    }
+
+    fn raise(&mut self, event: usize) -> bool {
+        let raised = self.reference.raise(event);
+        if self.options.unexpected != Unexpected::Drop {
+            assert_eq!(self.machine.raise(event as u32), raised);
+        }
+        raised
+    }
+
+    fn run(&mut self) -> Vec<u32> {
+        let steps = self.reference.log.len();
+        let commands = if self.options.drain { self.reference.drain() } else { self.reference.cycle() };
+        let waits = if self.options.drain {
+            self.machine_waits()
+        } else {
+            self.reference.log[steps..].iter().all(|(event, ..)| event.is_some())
+        };
+        if self.options.unexpected != Unexpected::Drop {
+            let issued = if self.options.drain { self.machine.drain() } else { self.machine.cycle() };
+            assert_eq!(issued.codes, commands);
+            assert_eq!(self.machine.state(), self.reference.state);
+        }
+        self.unexpected = waits && !self.reference.pending.is_empty();
+        if self.unexpected && self.options.unexpected == Unexpected::Drop {
+            self.reference.pending.clear();
+        }
+        self.reference.log.clear();
+        commands
+    }
+
+    /// Whether no super step is due.
+    fn machine_waits(&self) -> bool {
+        let tables = self.reference.tables();
+        tables.super_steps.source.binary_search(&self.reference.state).is_err()
+    }
+}
+
+/// A text, and its function block at work.
+struct Running<'u> {
+    names: NameMap,
+    instance: Instance<'u>,
+}
+
+impl Running<'_> {
+    fn call(&mut self, inputs: &Inputs) -> Outputs {
+        let block = &mut self.instance;
+        block.set("enable", inputs.enable).expect("an input");
+        block.set("reset", inputs.reset).expect("an input");
+        for ((_, name), value) in self.names.events.iter().zip(&inputs.events) {
+            block.set(name, *value).expect("an input");
+        }
+        let stats = block.call().expect("it runs");
+        assert_eq!(stats.wrapped, 0, "integers are wide enough");
+        for ((_, name), value) in self.names.events.iter().zip(&inputs.events) {
+            assert_eq!(block.bool(name), Ok(*value), "inputs are not written");
+        }
+        let number = |name: &str| u32::try_from(block.int(name).expect("an output")).expect("not negative");
+        let mut pending = block.bools("pending").expect("an output");
+        pending.truncate(self.names.events.len());
+        Outputs {
+            commands: self.names.components.iter().map(|c| number(&c.output)).collect(),
+            state: number("state_no"),
+            pending,
+            unexpected: block.bool("unexpected").expect("an output"),
+            overrun: block.bool("overrun").expect("an output"),
+        }
+    }
+}
+
+/// Several events at once, mostly ones that fit; now and then a reset or a pause.
+fn inputs(reference: &Reference<'_>, previous: &[bool], random: &mut Random) -> Inputs {
+    let count = previous.len() as u32;
+    let mut events: Vec<bool> = previous.iter().map(|&held| held && random.below(4) == 0).collect();
+    if count > 0 {
+        for _ in 0..random.below(4) {
+            events[random.below(count) as usize] = true;
+        }
+        let fitting: Vec<usize> = (0..previous.len()).filter(|&e| reference.accepts(e).is_some()).collect();
+        if !fitting.is_empty() && random.below(4) != 0 {
+            events[fitting[random.below(fitting.len() as u32) as usize]] = true;
+        }
+    }
+    Inputs { enable: random.below(20) != 0, reset: random.below(60) == 0, events }
+}
+
+/// The first call in which a text and the interpreter differ.
+fn difference(
+    text: &str,
+    names: NameMap,
+    tables: &Tables,
+    controller: &Controller,
+    options: Options,
+    calls: usize,
+) -> Option<String> {
+    let unit = Unit::parse(text, Dialect::Edition2).unwrap_or_else(|errors| {
+        let errors: Vec<String> = errors.iter().map(ToString::to_string).collect();
+        panic!("{}\n{text}", errors.join("\n"));
+    });
+    let instance = unit.instance(&names.function_block).expect("the function block is there");
+    let mut running = Running { names, instance };
+    let mut model = Model::new(tables, controller, options);
+    let random = &mut Random::new(0x5EED);
+    for call in 0..calls {
+        let inputs = inputs(&model.reference, &model.previous, random);
+        let expected = model.call(&inputs);
+        let found = running.call(&inputs);
+        if found != expected {
+            return Some(format!("call {call}: {found:?} instead of {expected:?}"));
+        }
+    }
+    None
+}
+
+#[track_caller]
+fn check(name: &str, tables: &Tables, controller: &Controller, options: Options, calls: usize) {
+    let text = st::text(tables, &options).expect("it fits");
+    let names = st::names(tables, &options);
+    let difference = difference(&text, names, tables, controller, options, calls);
+    assert_eq!(difference, None, "{name} with {options:?}");
+}
+
+/// All that the command line can ask for.
+fn all_options() -> Vec<Options> {
+    let mut all = Vec::new();
+    for trigger in [Trigger::Edge, Trigger::Level] {
+        for integers in [Integers::Unsigned, Integers::Signed] {
+            for drain in [false, true] {
+                for unexpected in [Unexpected::Keep, Unexpected::Drop, Unexpected::Fault] {
+                    all.push(Options { trigger, integers, drain, unexpected, ..Options::default() });
+                }
+            }
+        }
+    }
+    all
+}
+
+#[test]
+fn corpus() {
+    for (name, controller) in corpus_controllers() {
+        let tables = Tables::new(&name, &controller, Provenance::default());
+        check(&name, &tables, &controller, Options::default(), calls());
+    }
+}
+
+#[test]
+fn corpus_with_all_options() {
+    for (name, controller) in corpus_controllers() {
+        let tables = Tables::new(&name, &controller, Provenance::default());
+        for options in all_options() {
+            check(&name, &tables, &controller, options, calls() / 20);
+        }
+    }
+}
+
+#[test]
+fn at_random() {
+    let size = |states, events, rows, components| Size { states, events, rows, components };
+    let sizes = [
+        size(12, 6, 40, 3),
+        size(40, 5, 15, 2),
+        size(9, 4, 50, 0),
+        size(30, 70, 10, 4),
+        size(256, 3, 30, 1),
+        size(257, 3, 30, 1),
+        size(3017, 5, 40, 3),
+    ];
+    for (seed, size) in (1..).zip(sizes) {
+        let tables = tables::random("Random", size, seed);
+        let controller = controller(&tables);
+        check(&format!("{size:?}"), &tables, &controller, Options::default(), calls());
+    }
+}
+
+#[test]
+fn at_random_with_all_options() {
+    for seed in 0..4 {
+        let size = Size { states: 20, events: 5, rows: 40, components: 2 };
+        let tables = tables::random("Random", size, 100 + seed);
+        let controller = controller(&tables);
+        for options in all_options() {
+            check(&format!("seed {seed}"), &tables, &controller, options, calls() / 4);
+        }
+    }
+}
+
+#[test]
+fn made_by_hand() {
+    for tables in [tables::cell(), tables::empty(), tables::inner(), tables::names()] {
+        let controller = controller(&tables);
+        for options in all_options() {
+            check(&tables.specification, &tables, &controller, options, calls() / 4);
+        }
+    }
+}
+
+/// The program passes everything through, and the configuration runs it.
+#[test]
+fn the_configuration_runs_the_program() {
+    let tables = tables::cell();
+    let options = Options::default();
+    let text = st::text(&tables, &options).expect("it fits");
+    let names = st::names(&tables, &options);
+    let unit = Unit::parse(&text, Dialect::Edition2).expect("it compiles");
+    let mut configuration = unit.configuration().expect("there is one");
+    let mut block = unit.instance(&names.function_block).expect("it is there");
+    let random = &mut Random::new(7);
+    for _ in 0..200 {
+        for (_, input) in &names.events {
+            let value = random.below(3) == 0;
+            block.set(input, value).expect("an input");
+            configuration.set(&format!("Main0.{input}"), value).expect("an input");
+        }
+        block.call().expect("it runs");
+        configuration.call().expect("it runs");
+        let outputs = names.components.iter().map(|component| component.output.as_str());
+        for output in outputs.chain(["state_no", "pending", "unexpected", "overrun"]) {
+            assert_eq!(configuration.get(&format!("Main0.{output}")), block.get(output), "{output}");
+        }
+    }
+}
+
+/// The place of a number in an array, and another number that keeps the array what the search needs.
+fn mutations(text: &str) -> Vec<String> {
+    let mut mutations = Vec::new();
+    let mut inside = false;
+    let mut offset = 0;
+    for line in text.split_inclusive('\n') {
+        let trimmed = line.trim();
+        if inside && trimmed.starts_with(|c: char| c.is_ascii_digit()) {
+            let start = offset + line.len() - line.trim_start().len();
+            let end = start + trimmed.find(',').unwrap_or(trimmed.len());
+            let number: u32 = text[start..end].parse().expect("a number");
+            mutations.push(format!("{}{}{}", &text[..start], u32::from(number == 0), &text[end..]));
+        }
+        inside = trimmed.ends_with(":= [") || inside && !trimmed.starts_with(']');
+        offset += line.len();
+    }
+    mutations
+}
+
+/// Faults of an emitter, each in one place of the text.
+fn faults(text: &str) -> Vec<(&'static str, String)> {
+    let replaced = |what: &'static str, from: &str, to: &str| {
+        assert!(text.contains(from), "{from}");
+        (what, text.replacen(from, to, 1))
+    };
+    vec![
+        replaced("a missing latch", "pending[3] := TRUE;", "pending[3] := FALSE;"),
+        replaced("an event that is not consumed", "pending[0] := FALSE;\n        changed", "changed"),
+        replaced("another event", "IF pending[2] THEN", "IF pending[0] THEN"),
+        replaced("no edge", " AND NOT previous[0]", ""),
+        replaced("no overrun", "overrun := overrun OR pending[0];", ";"),
+        replaced("a search that ends early", "first := middle + 1;", "first := middle; last := middle;"),
+        replaced("a command that stays", "arm_cmd := 0;", ";"),
+        replaced("a state that is not output", "state_no := USINT_TO_UDINT(state);", ";"),
+    ]
+}
+
+#[test]
+fn faults_are_noticed() {
+    let tables = tables::cell();
+    let controller = controller(&tables);
+    let options = Options::default();
+    let text = st::text(&tables, &options).expect("it fits");
+    let names = st::names(&tables, &options);
+    let entries = mutations(&text).into_iter().map(|text| ("a wrong entry", text));
+    let mut count = 0;
+    for (what, faulty) in entries.chain(faults(&text)) {
+        assert_ne!(faulty, text, "{what}");
+        let found = difference(&faulty, names.clone(), &tables, &controller, options, CALLS);
+        assert!(found.is_some(), "{what} goes unnoticed:\n{faulty}");
+        count += 1;
+    }
+    assert!(count > 12, "only {count}");
+}
+
+/// Two targets of a table that are swapped.
+#[test]
+fn swapped_entries_are_noticed() {
+    for (name, controller) in corpus_controllers() {
+        let tables = Tables::new(&name, &controller, Provenance::default());
+        let options = Options::default();
+        let names = st::names(&tables, &options);
+        let mut swapped = tables.clone();
+        let targets = &mut swapped.super_steps.target;
+        let Some(other) = targets.iter().position(|target| *target != targets[0]) else { continue };
+        targets.swap(0, other);
+        let text = st::text(&swapped, &options).expect("it fits");
+        let found = difference(&text, names, &tables, &controller, options, CALLS);
+        assert!(found.is_some(), "{name}");
+    }
+}
