@@ -71,13 +71,7 @@ impl Kind {
 
     /// `ANY_INT`.
     pub(crate) fn is_integer(self) -> bool {
-        match self {
-            Kind::Sint | Kind::Int | Kind::Dint | Kind::Lint => true,
-            Kind::Usint | Kind::Uint | Kind::Udint | Kind::Ulint => true,
-            Kind::Bool | Kind::Byte | Kind::Word | Kind::Dword | Kind::Lword | Kind::Time | Kind::Char => {
-                false
-            }
-        }
+        !self.is_bit_string() && !matches!(self, Kind::Time | Kind::Char)
     }
 
     /// `ANY_BIT`, which `BOOL` belongs to.

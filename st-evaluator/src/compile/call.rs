@@ -17,6 +17,9 @@ pub(super) struct Given<'t> {
     pub(super) output: bool,
 }
 
+/// Inputs with their offsets in the called one, and outputs.
+type Arguments = (Vec<(u32, Argument)>, Vec<Output>);
+
 /// The arguments of a call in order.
 pub(super) fn given(node: Node<'_>) -> Vec<Given<'_>> {
     let Some(list) = part(node, "arguments") else { return Vec::new() };
@@ -79,19 +82,18 @@ impl<'t> Body<'_, 't> {
     pub(super) fn call_statement(&mut self, node: Node<'t>) -> Option<Action> {
         let callee = part(node, "function")?;
         let is_local = self.scope.get(&self.unit.source.name(callee)).is_some();
-        if callee.kind() == "identifier" && !is_local {
-            if let Some(index) = self.unit.pou(callee) {
-                if self.unit.pous[index].kind != PouKind::Function {
-                    self.error(callee, "an instance is called, not the function block");
-                    return None;
-                }
-                if self.is_strict() {
-                    self.error(callee, "a function is called in an expression");
-                    return None;
-                }
-                let call = self.function(node, callee, index)?;
-                return Some(Action::Discard(Expr::Call(Box::new(call))));
+        let is_global = callee.kind() == "identifier" && !is_local;
+        if let Some(index) = is_global.then(|| self.unit.pou(callee)).flatten() {
+            if self.unit.pous[index].kind != PouKind::Function {
+                self.error(callee, "an instance is called, not the function block");
+                return None;
             }
+            if self.is_strict() {
+                self.error(callee, "a function is called in an expression");
+                return None;
+            }
+            let call = self.function(node, callee, index)?;
+            return Some(Action::Discard(Expr::Call(Box::new(call))));
         }
         let instance = self.place(callee)?;
         let Type::Block { pou, .. } = *self.unit.types.get(instance.ty) else {
@@ -103,7 +105,7 @@ impl<'t> Body<'_, 't> {
         Some(Action::CallBlock(Box::new(CallBlock { instance: instance.place, pou, inputs, outputs })))
     }
 
-    fn arguments(&mut self, node: Node<'t>, callee: usize) -> Option<(Vec<(u32, Argument)>, Vec<Output>)> {
+    fn arguments(&mut self, node: Node<'t>, callee: usize) -> Option<Arguments> {
         let parameters: Vec<Variable> = self.unit.pous[callee].scope.variables.clone();
         let given = given(node);
         let mut inputs = Vec::new();

@@ -55,14 +55,12 @@ impl<'t> Analysis<'t> {
         let count = cells.len() / size.max(1);
         let mut at: usize = 0;
         for &node in nodes {
-            let (times, values) = if node.kind() == "array_repetition" {
-                let Some(count_node) = part(node, "count") else { return };
-                let Some(times) = self.constant_integer(count_node, scope) else { return };
-                let values: Vec<Node<'t>> =
-                    children(node).into_iter().filter(|child| child.id() != count_node.id()).collect();
-                (usize::try_from(times).unwrap_or(usize::MAX), values)
-            } else {
-                (1, vec![node])
+            let (times, values) = match repetition(node) {
+                Some((count, values)) => {
+                    let Some(times) = self.constant_integer(count, scope) else { return };
+                    (usize::try_from(times).unwrap_or(usize::MAX), values)
+                }
+                None => (1, vec![node]),
             };
             let total = at.saturating_add(times.saturating_mul(values.len()));
             if total > count {
@@ -142,5 +140,20 @@ impl<'t> Analysis<'t> {
         if self.is_strict() && !literal {
             self.error(node, "only a literal can stand here");
         }
+    }
+}
+
+/// The number and the values of `3(0)`. Where several values stand in the parentheses the grammar takes it for a call.
+fn repetition(node: Node<'_>) -> Option<(Node<'_>, Vec<Node<'_>>)> {
+    match node.kind() {
+        "array_repetition" => {
+            let count = part(node, "count")?;
+            Some((count, children(node).into_iter().filter(|child| child.id() != count.id()).collect()))
+        }
+        "call_expression" => {
+            let count = part(node, "function").filter(|function| function.kind() == "integer_literal")?;
+            Some((count, children(part(node, "arguments")?)))
+        }
+        _ => None,
     }
 }

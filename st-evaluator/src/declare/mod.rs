@@ -216,6 +216,10 @@ impl<'t> Analysis<'t> {
         self.check_name(name_node);
         let name = self.source.name(name_node);
         if self.declared.contains_key(&name) {
+            if self.source.is_prelude(node) {
+                // The text has a block of its own of this name, if the dialect lets it.
+                return;
+            }
             return self.error(name_node, format!("`{name}` is declared twice"));
         }
         self.order.push(name.clone());

@@ -123,7 +123,7 @@ impl<'t> Analysis<'t> {
         if let Some(&first) = initial.first() {
             match header.section {
                 Section::InOut | Section::External => {
-                    self.error(first, "these variables have no initial value")
+                    self.error(first, "these variables have no initial value");
                 }
                 _ => self.fill(ty, &initial, &pou.scope, &mut image),
             }
