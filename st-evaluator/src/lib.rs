@@ -30,7 +30,7 @@
 //!
 //! - `BOOL`, the integers and bit strings, `TIME`, `STRING`; arrays of several dimensions, structures, enumerations,
 //!   subranges, other names for types; initial values with repetition.
-//! - All sections of variables; `CONSTANT`; `RETAIN` is read, and no power is ever lost.
+//! - All sections of variables; `CONSTANT`; `RETAIN` is read, and no power is ever lost. `AT` is read, and means nothing.
 //! - Functions, function blocks, programs, configurations. One call of a configuration is one scan: every program
 //!   runs, whatever its task's interval. Intervals and priorities are checked for their form.
 //! - All statements, all operators but `**`; `ABS MIN MAX LIMIT SEL MUX SHL SHR ROL ROR LEN LEFT RIGHT MID CONCAT`,
@@ -59,7 +59,8 @@
 //! visible. SCL wants its semicolons and has no constant arrays.
 //!
 //! At run time an index out of its range, a division by zero, a value outside of a subrange, a null pointer, a
-//! pointer used beyond its object, a write to a constant through a pointer, a control variable that would wrap
+//! pointer used beyond its object or in a later call than it was taken in (an online change moves variables), a write to a
+//! constant through a pointer, a control variable that would wrap
 //! around, and too many statements are each a [`RuntimeError`] with a place. Integers wrap around; how often is in
 //! [`Stats::wrapped`], because systems compute in different widths and portable texts must not depend on it.
 //!
@@ -73,7 +74,7 @@
 //! What it cannot read and nothing mends, so that such texts are refused: initial values of arrays in `TYPE` and in
 //! structures, and of structures in arrays; nested brackets in initial values; functions without a result (SCL's `: VOID`
 //! is one); enumerations with a base type; `NOT q => x`; `R_EDGE` and `F_EDGE` behind a type; comments within
-//! comments; words that only the third edition keeps (`THIS`, `SUPER`, `ADR`, `REF_TO`, …) as names in the second.
+//! comments; `THIS`, `SUPER` and `ADR` as names, which the second edition would allow.
 
 mod arithmetic;
 mod code;

@@ -427,6 +427,7 @@ fn configurations() {
     };
     let task = "TASK K(INTERVAL := T#10ms, PRIORITY := 1);";
     check(Edition2, &with(task, "PROGRAM M WITH K : Main;"), "");
+    check(Edition2, &with(task, "PROGRAM M WITH K : Main(x := y);"), "connections of a program");
     check(Edition2, &with(task, "PROGRAM M WITH L : Main;"), "there is no task `L`");
     check(Edition2, &with(task, "PROGRAM M WITH K : B;"), "there is no program `B`");
     check(Edition2, &with(task, "PROGRAM M WITH K : Q;"), "there is no program `Q`");
@@ -491,4 +492,29 @@ fn places_are_exact() {
     assert_eq!(errors[0].line, 2);
     let errors = Unit::parse("FUNCTION_BLOCK B\n  x := 1;\n", Edition2).expect_err("no end");
     assert!(errors.iter().all(|error| error.line <= 3), "{errors:?}");
+}
+
+#[track_caller]
+fn unreadable(dialect: Dialect, text: &str) {
+    let errors = Unit::parse(text, dialect).err().unwrap_or_default();
+    let syntax = |message: &str| message.contains("cannot be read") || message.contains("is missing");
+    assert!(errors.iter().any(|error| syntax(&error.message)), "{errors:?}\n{text}");
+}
+
+/// What the crate's documentation says that the grammar cannot read. If one of these passes, it can be supported.
+#[test]
+fn limits_of_the_grammar() {
+    let point = "TYPE A : STRUCT x : INT; END_STRUCT; END_TYPE ";
+    unreadable(Edition2, "TYPE A : ARRAY [0..1] OF INT := [1, 2]; END_TYPE");
+    unreadable(Edition2, "TYPE A : STRUCT x : ARRAY [0..1] OF INT := [1, 2]; END_STRUCT; END_TYPE");
+    unreadable(Edition2, &(point.to_owned() + &block("a : ARRAY [0..1] OF A := [(x := 1), (x := 2)];", ";")));
+    unreadable(Edition2, &block("a : ARRAY [0..1] OF ARRAY [0..1] OF INT := [[1, 2], [3, 4]];", ";"));
+    unreadable(Codesys, "FUNCTION f VAR x : INT; END_VAR x := 1; END_FUNCTION");
+    unreadable(Codesys, "TYPE E : (Red, Green) INT; END_TYPE");
+    unreadable(Edition2, &block("f : R_TRIG; b : BOOL;", "f(CLK := b, NOT Q => b);"));
+    unreadable(Edition2, "FUNCTION_BLOCK B VAR_INPUT x : BOOL R_EDGE; END_VAR ; END_FUNCTION_BLOCK");
+    unreadable(Edition2, &block("adr : INT;", "adr := 1;"));
+    for word in ["this", "super"] {
+        body(Edition2, &format!("{word} : INT;"), &format!("{word} := 1;"), "_expression` is not supported");
+    }
 }

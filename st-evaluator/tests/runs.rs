@@ -315,6 +315,13 @@ fn pointers_are_checked() {
     stops(Codesys, variables, "x := q^;", "points to nothing");
     stops(Codesys, variables, "q := ADR(a); x := q[4];", "less lies behind the pointer");
     stops(Codesys, variables, "q := ADR(a); i := -1; x := q[i];", "outside of what the pointer points to");
+    let variables = "a : UINT; p : POINTER TO UINT; old : BOOL; x : UINT;";
+    let unit_of_two =
+        unit(Codesys, &block(variables, "IF NOT old THEN p := ADR(a); END_IF; x := p^; old := TRUE;"));
+    let mut instance = unit_of_two.instance("Main").expect("it is there");
+    instance.call().expect("the pointer is new");
+    let error = instance.call().expect_err("the pointer is old");
+    assert!(error.message.contains("taken in an earlier call"), "{error}");
     let text = "FUNCTION_BLOCK Main VAR CONSTANT c : UINT := 1; END_VAR VAR p : POINTER TO UINT; END_VAR
                 p := ADR(c); p^ := 2; END_FUNCTION_BLOCK";
     let unit = unit(Codesys, text);

@@ -77,6 +77,9 @@ impl<'t> Analysis<'t> {
         if let Some(task) = part(node, "task").filter(|task| !tasks.contains(&self.source.name(*task))) {
             self.error(task, format!("there is no task `{}`", self.source.text(task)));
         }
+        if let Some(arguments) = children(node).into_iter().find(|child| child.kind() == "argument_list") {
+            self.error(arguments, "connections of a program are not supported");
+        }
         let capitals = self.source.name(name);
         if self.programs.iter().any(|known| known.program.eq_ignore_ascii_case(&capitals)) {
             self.error(name, "there are two programs of this name");

@@ -4,8 +4,12 @@ use super::{Fault, Machine, fault};
 use crate::code::{Element, Expr, Place, Target};
 use crate::declare::Pou;
 
-/// Cells of an address within a pointer; the rest is the number of cells behind it.
-const ADDRESS_BITS: u32 = 32;
+/// A pointer is an address, the number of cells that lie there, and the epoch of its call.
+const ADDRESS_BITS: u32 = 31;
+const SIZE_BITS: u32 = 25;
+
+/// After so many calls an old pointer is mistaken for a new one.
+pub(super) const EPOCHS: i64 = 1 << (63 - ADDRESS_BITS - SIZE_BITS);
 
 impl Machine {
     pub(super) fn address(&mut self, pous: &[Pou], place: &Place) -> Result<usize, Fault> {
@@ -65,8 +69,12 @@ impl Machine {
         if pointer == 0 {
             return fault(target.at, "the pointer points to nothing");
         }
+        if pointer >> (ADDRESS_BITS + SIZE_BITS) != self.epoch {
+            // Between calls an online change may have moved what it points to.
+            return fault(target.at, "the pointer was taken in an earlier call");
+        }
         let start = pointer as usize & ((1 << ADDRESS_BITS) - 1);
-        let end = start + (pointer as usize >> ADDRESS_BITS);
+        let end = start + (pointer as usize >> ADDRESS_BITS & ((1 << SIZE_BITS) - 1));
         let address = match &target.index {
             None => start,
             Some(index) => {
@@ -102,6 +110,6 @@ impl Machine {
     /// The pointer to a place.
     pub(super) fn pointer(&mut self, pous: &[Pou], place: &Place, size: u32) -> Result<i64, Fault> {
         let address = self.span(pous, place, size)?;
-        Ok(address as i64 | i64::from(size) << ADDRESS_BITS)
+        Ok(address as i64 | i64::from(size) << ADDRESS_BITS | self.epoch << (ADDRESS_BITS + SIZE_BITS))
     }
 }

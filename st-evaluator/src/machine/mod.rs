@@ -52,13 +52,15 @@ pub(crate) struct Machine {
     pub(crate) stats: Stats,
     /// Statements and iterations that are left.
     fuel: u64,
+    /// Tells the pointers of this call from those of earlier ones.
+    epoch: i64,
 }
 
 impl Machine {
     pub(crate) fn new(memory: Vec<i64>, globals: usize) -> Machine {
         let top = memory.len();
         let (at, stats) = (Position::default(), Stats::default());
-        Machine { memory, globals, this: 0, frame: 0, top, at, clock: 0, stats, fuel: 0 }
+        Machine { memory, globals, this: 0, frame: 0, top, at, clock: 0, stats, fuel: 0, epoch: 0 }
     }
 
     /// The place of global variables.
@@ -71,6 +73,7 @@ impl Machine {
         self.top = stack;
         self.stats = Stats::default();
         self.fuel = fuel;
+        self.epoch = (self.epoch + 1) % locate::EPOCHS;
     }
 
     /// Runs a function block or program.
