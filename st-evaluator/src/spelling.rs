@@ -165,8 +165,9 @@ impl Scan<'_> {
     /// `"Name"`.
     fn quoted_name(&mut self) {
         let end = self.end_of_string(b'"');
+        let closed = end - 1 > self.at && self.out[end - 1] == b'"';
         let name = &self.out[self.at + 1..(end - 1).max(self.at + 1)];
-        if name.is_empty() || !name.iter().all(|&b| is_word(b)) || name[0].is_ascii_digit() {
+        if !closed || name.is_empty() || !name.iter().all(|&b| is_word(b)) || name[0].is_ascii_digit() {
             self.error(self.at, "a quoted name that is no identifier is not supported");
         }
         self.spelled.quoted.insert(self.at + 1);
@@ -342,5 +343,8 @@ mod tests {
         assert_eq!(count("(* a", Dialect::Codesys), 1);
         assert_eq!(count("a AND_THEN b", Dialect::Siemens), 1);
         assert_eq!(count("x := \"a b\"", Dialect::Siemens), 1);
+        assert_eq!(count("x := \"ab", Dialect::Siemens), 1);
+        assert_eq!(count("x := \"ab\n", Dialect::Siemens), 1);
+        assert_eq!(count("x := \"", Dialect::Siemens), 1);
     }
 }

@@ -53,6 +53,8 @@ fn semicolons() {
 
 #[test]
 fn statements_are_needed() {
+    check(Edition2, "TYPE A : INT; END_TYPE;", "a semicolon between declarations");
+    check(Codesys, "TYPE A : INT; END_TYPE;", "");
     body(Edition2, "b : BOOL;", "", "there are no statements");
     body(Edition2, "b : BOOL;", ";", "");
     body(Edition2, "b : BOOL;", "IF b THEN END_IF;", "there are no statements");
@@ -477,6 +479,8 @@ fn what_is_not_supported_is_said() {
     body(Edition2, "x : INT;", "x := 2.5;", "`real_literal` is not supported");
     body(Edition2, "x : INT;", "x := 2 ** 2;", "`**` is not supported");
     body(Codesys, "x : REF_TO INT;", ";", "`reference_type` is not supported");
+    body(Codesys, "x : TIME;", "x := LTIME#1s;", "the duration cannot be read");
+    check(Codesys, "ABSTRACT FUNCTION_BLOCK B ; END_FUNCTION_BLOCK", "`ABSTRACT` is not supported");
     check(Codesys, "INTERFACE I END_INTERFACE", "`interface_declaration` is not supported");
 }
 

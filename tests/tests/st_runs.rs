@@ -9,7 +9,7 @@ use st_evaluator::{Dialect, Instance, Unit};
 use synth_core::controller::cycle::Machine;
 use synth_core::controller::tables::{Provenance, Tables};
 use synth_core::controller::{Component, Controller, SuperStep};
-use synth_core::emit::st::{self, Integers, NameMap, Options, Trigger, Unexpected};
+use synth_core::emit::st::{self, Integers, NameMap, Options, Target, Trigger, Unexpected};
 use synth_core::pipeline::{Timings, synthesize};
 
 const CALLS: usize = 1000;
@@ -213,6 +213,13 @@ fn inputs(reference: &Reference<'_>, previous: &[bool], random: &mut Random) -> 
     Inputs { enable: random.below(20) != 0, reset: random.below(60) == 0, events }
 }
 
+/// Whose Structured Text a target's is.
+fn dialect(target: Target) -> Dialect {
+    match target {
+        Target::Iec => Dialect::Edition2,
+    }
+}
+
 /// The first call in which a text and the interpreter differ.
 fn difference(
     text: &str,
@@ -222,7 +229,7 @@ fn difference(
     options: Options,
     calls: usize,
 ) -> Option<String> {
-    let unit = Unit::parse(text, Dialect::Edition2).unwrap_or_else(|errors| {
+    let unit = Unit::parse(text, dialect(options.target)).unwrap_or_else(|errors| {
         let errors: Vec<String> = errors.iter().map(ToString::to_string).collect();
         panic!("{}\n{text}", errors.join("\n"));
     });

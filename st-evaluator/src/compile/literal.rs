@@ -18,7 +18,7 @@ impl<'t> Body<'_, 't> {
             }
             "time_literal" => {
                 let text = self.unit.source.text(node);
-                match nanoseconds(text) {
+                match nanoseconds(text).filter(|_| !text.starts_with(['L', 'l'])) {
                     Some(value) => Some(self.of_kind(Kind::Time, value)),
                     None => {
                         self.error(node, "the duration cannot be read");

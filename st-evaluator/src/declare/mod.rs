@@ -13,7 +13,7 @@ use crate::code::{Place, Step};
 use crate::compile;
 use crate::error::{Error, Position};
 use crate::reserved::Reserved;
-use crate::tree::{Source, children, part, position};
+use crate::tree::{Source, children, has_token, part, position};
 use crate::types::{Type, TypeId, Types};
 
 /// What a program organization unit is.
@@ -158,6 +158,9 @@ impl<'t> Analysis<'t> {
             bodies: Vec::new(),
         };
         let items = children(root);
+        if has_token(root, ";") && analysis.is_strict() {
+            analysis.error(root, "a semicolon between declarations");
+        }
         analysis.collect(&items);
         for name in analysis.order.clone() {
             if analysis.declared[&name].node.kind() == "type_definition" {
@@ -326,9 +329,9 @@ impl<'t> Analysis<'t> {
         let name = part(node, "name").map(|n| self.source.text(n).to_owned()).unwrap_or_default();
         let mut pou =
             Pou { name: name.clone(), kind, counted: !self.source.is_prelude(node), ..Pou::default() };
-        for unsupported in ["extends", "implements"] {
-            if let Some(part) = part(node, unsupported) {
-                self.error(part, format!("`{}` is not supported", unsupported.to_uppercase()));
+        for unsupported in ["ABSTRACT", "FINAL", "EXTENDS", "IMPLEMENTS"] {
+            if has_token(node, unsupported) {
+                self.error(node, format!("`{unsupported}` is not supported"));
             }
         }
         if kind == PouKind::Function {
