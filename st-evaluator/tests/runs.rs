@@ -518,6 +518,17 @@ fn costs_are_counted() {
     );
 }
 
+#[test]
+fn copies_are_counted() {
+    let text = TYPES.to_owned()
+        + "FUNCTION Last : INT VAR_INPUT values : Row; END_VAR Last := values[2]; END_FUNCTION "
+        + &block("a, b : Row; x : INT;", "a[2] := 4; b := a; x := Last(b); x := Last(values := b);");
+    let unit = unit(Edition2, &text);
+    let mut instance = unit.instance("Main").expect("it is there");
+    let stats = instance.call().expect("it runs");
+    assert_eq!((stats.copied, stats.calls, instance.int("x")), (9, 2, Ok(4)));
+}
+
 fn touch(instance: &mut Instance<'_>, path: &str, value: impl Into<Value>) -> bool {
     instance.set(path, value).is_ok()
 }

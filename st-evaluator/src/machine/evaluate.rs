@@ -139,6 +139,7 @@ impl Machine {
                 Argument::Copy(place, size) => {
                     let from = self.span(pous, place, *size)?;
                     self.memory.copy_within(from..from + *size as usize, to);
+                    self.stats.copied += u64::from(*size);
                 }
                 Argument::Text(text, capacity) => self.set_text(pous, to, *capacity, text)?,
                 Argument::Reference(place) => self.memory[to] = self.address(pous, place)? as i64,
@@ -151,6 +152,7 @@ impl Machine {
     pub(super) fn fetch(&mut self, pous: &[Pou], base: usize, outputs: &[Output]) -> Result<(), Fault> {
         for Output { from, to, size } in outputs {
             let from = base + *from as usize;
+            self.stats.copied += if *size > 1 { u64::from(*size) } else { 0 };
             self.copy(pous, from, to, *size)?;
         }
         Ok(())

@@ -71,6 +71,7 @@ impl Machine {
             },
             Action::Copy { to, from, size } => {
                 let from = self.span(pous, from, *size)?;
+                self.stats.copied += u64::from(*size);
                 self.copy(pous, from, to, *size)?;
             }
             Action::SetText { to, capacity, text } => {

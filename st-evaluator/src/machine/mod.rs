@@ -29,6 +29,8 @@ pub struct Stats {
     pub indexed: u64,
     /// Calls of functions and function blocks.
     pub calls: u64,
+    /// Elements that were copied in assignments and arguments of whole arrays and structures.
+    pub copied: u64,
     /// Operations and conversions whose result did not fit the type and was wrapped around. Systems differ in the
     /// width in which they compute, so a portable text has none.
     pub wrapped: u64,
