@@ -111,12 +111,15 @@ impl Kind {
         }
     }
 
-    /// Whether every value is one of `wider`, of the same sort.
-    pub(crate) fn widens_to(self, wider: Kind) -> bool {
+    /// Whether every value is one of `wider`, of the same sort, or with `mixed` of either sort.
+    pub(crate) fn widens_to(self, wider: Kind, mixed: bool) -> bool {
+        let is_bits = |kind: Kind| kind.is_bit_string() && kind != Kind::Bool;
+        let is_number = |kind: Kind| kind.is_integer() || is_bits(kind);
         let (low, high) = self.range();
         let (wide_low, wide_high) = wider.range();
-        let same_sort = self.is_integer() && wider.is_integer()
-            || self.is_bit_string() && wider.is_bit_string() && self != Kind::Bool;
-        same_sort && wide_low <= low && high <= wide_high
+        let sorts = self.is_integer() && wider.is_integer()
+            || is_bits(self) && is_bits(wider)
+            || mixed && is_number(self) && is_number(wider);
+        sorts && wide_low <= low && high <= wide_high
     }
 }

@@ -160,6 +160,9 @@ fn integers_widen_only_in_the_dialects() {
     body(Codesys, "i : INT; d : DINT; u : USINT;", "d := i; i := u; d := d + i;", "");
     body(Siemens, "i : INT; d : DINT; u : USINT;", "d := i; i := u; d := d + i;", "");
     body(Codesys, "a : BYTE; w : WORD;", "w := a;", "");
+    body(Codesys, "a : BYTE; w : WORD; u : UINT; i : INT;", "u := a; u := w; w := u; i := a;", "");
+    body(Codesys, "w : WORD; i : INT;", "i := w;", "`WORD` where `INT` is wanted");
+    body(Siemens, "a : BYTE; u : UINT;", "u := a;", "`BYTE` where `UINT` is wanted");
     body(Codesys, "a : BYTE; w : WORD;", "a := w;", "`WORD` where `BYTE` is wanted");
 }
 

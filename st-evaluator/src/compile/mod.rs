@@ -290,8 +290,9 @@ impl<'a, 't> Body<'a, 't> {
     /// Whether a value of one scalar type can stand where another is wanted.
     fn fits(&self, from: TypeId, to: TypeId) -> bool {
         let types = &self.unit.types;
+        let mixed = self.unit.source.dialect.mixes_integers_and_bit_strings();
         match (types.kind(from), types.kind(to)) {
-            (Some(a), Some(b)) => a == b || !self.unit.is_strict() && a.widens_to(b),
+            (Some(a), Some(b)) => a == b || !self.unit.is_strict() && a.widens_to(b, mixed),
             (None, None) => types.same_shape(from, to),
             _ => false,
         }
