@@ -34,7 +34,8 @@ impl Dialect {
         self.is_codesys()
     }
 
-    /// `AND`, `OR`, `XOR`, `NOT` and shifts on integers, arithmetic on bit strings, and one for the other where it fits.
+    /// `AND`, `OR`, `XOR`, `NOT` and shifts on integers, arithmetic on bit strings, and one for the other where it
+    /// fits.
     pub(crate) fn mixes_integers_and_bit_strings(self) -> bool {
         self.is_codesys()
     }
