@@ -37,7 +37,7 @@
 //! - All statements, all operators but `**`; `ABS MIN MAX LIMIT SEL MUX SHL SHR ROL ROR LEN LEFT RIGHT MID CONCAT`,
 //!   `X_TO_Y`; `R_TRIG F_TRIG TON TOF TP SR RS CTU` with a clock that [`Instance::advance`] moves.
 //! - In CODESYS and TwinCAT: `POINTER TO` elementary types and arrays of them, `ADR`, `p^`, `p[i]`, `SIZEOF`,
-//!   `AND_THEN`, `OR_ELSE`, `s[i]` as `BYTE` from 0. In SCL: `s[i]` as `CHAR` from 1, and what the next but one
+//!   `AND_THEN`, `OR_ELSE`, `s[i]` as `BYTE` from 0. In SCL: `s[i]` as `CHAR` from 1, and what the last
 //!   section lists.
 //!
 //! There is no `REAL`, no `WSTRING`, no date, no method, property, interface or namespace, no sequential function
@@ -75,9 +75,9 @@
 //! which is understood.
 //!
 //! What it cannot read and nothing mends, so that such texts are refused: initial values of arrays in `TYPE` and in
-//! structures, and of structures in arrays; nested brackets in initial values; functions without a result (SCL's `:
-//! VOID` is one); enumerations with a base type; `NOT q => x`; `R_EDGE` and `F_EDGE` behind a type; comments within
-//! comments; `THIS`, `SUPER` and `ADR` as names, which the second edition would allow.
+//! structures, and of structures in arrays; nested brackets in initial values; functions without a result (SCL writes
+//! `: VOID`, which is read); enumerations with a base type; `NOT q => x`; `R_EDGE` and `F_EDGE` behind a type;
+//! comments within comments; `THIS`, `SUPER` and `ADR` as names, which the second edition would allow.
 
 mod arithmetic;
 mod code;
