@@ -18,6 +18,7 @@ use suggest::{Basis, suggest};
 
 use self::core::Core;
 use crate::diagnostic::{Code, Diagnostic};
+use crate::explore::Limits;
 use crate::game::{CounterPlay, Loss, can_meet, counter_play};
 use crate::model::{Kind, Spec};
 use crate::pipeline::Solved;
@@ -204,16 +205,11 @@ pub const SILENCE: &str = "silence";
 ///
 /// The counter-play costs about as much as solving the game once more, the core and the suggestions each as much as
 /// [`Budget`] says: exploring and solving it ten times at most. In practice that is once or twice for each scenario of the
-/// core, and once for each assumption that is tried.
+/// core, and once for each assumption that is tried. All explorations for the core together visit no more states than
+/// the limits allow, and so do those for suggestions; none takes more memory. With little, the core may be larger than
+/// minimal and suggestions may be missing.
 #[must_use]
-pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
-    explain_within(solved, usize::MAX)
-}
-
-/// As [`explain`]; all explorations together visit at most so many states. With few, the core may be larger than minimal
-/// and suggestions may be missing.
-#[must_use]
-pub fn explain_within(solved: &Solved<'_>, states: usize) -> Option<Explanation> {
+pub fn explain(solved: &Solved<'_>, limits: &Limits) -> Option<Explanation> {
     let CounterPlay { play, cycle, loss } = counter_play(&solved.explored.game, &solved.solution)?;
     let spec = solved.explored.playout.spec();
     let mut replay = Replay::of(solved)?;
@@ -240,7 +236,7 @@ pub fn explain_within(solved: &Solved<'_>, states: usize) -> Option<Explanation>
     if cycle.is_empty() && loss != Loss::Violation {
         cycle.push(SILENCE.to_owned());
     }
-    let budget = Budget::for_states(solved.explored.game.states()).within(states);
+    let budget = Budget::for_states(solved.explored.game.states()).within(limits);
     let mut prober = Prober::new(spec, solved.explored.playout.semantics(), budget)?.knowing(false);
     let core = core::core(&mut prober, &findings.scenarios);
     let cause = cause(solved, loss, &findings, &core, &mut prober);
