@@ -43,7 +43,9 @@ impl Reader {
                     Item::Role(self.role(input)?)
                 } else {
                     scenario_seen.set(self.at_scenario(input));
-                    Item::Scenario(self.scenario(input)?)
+                    let is_scenario = self.at_scenario(input) || self.then(input, "scenario");
+                    let scenario = self.scenario(input);
+                    Item::Scenario(if is_scenario { self.declares_nothing(scenario) } else { scenario }?)
                 };
                 self.optional_separator(input);
                 Ok(item)
@@ -86,8 +88,13 @@ impl Reader {
                 return Err(error);
             }
         };
+        let word = self.word(input).unwrap_or_default();
         self.skip(input);
-        self.keyword(input, "scenario")?;
+        if !self.eat(input, "scenario") {
+            let mut error = self.expected(input, "`scenario`");
+            error.help.get_or_insert(format!("write `{word} scenario`"));
+            return Err(error);
+        }
         let name = self.name(input, "the name of the scenario")?;
         let bindings = self.bindings(input)?;
         if !input.peek(syn::token::Brace) {
@@ -145,6 +152,10 @@ impl Reader {
             Ok(fragments)
         })?;
         let constraints = if self.eat(input, "constraints") {
+            if input.peek(syn::token::Brace) {
+                let error = self.expected(input, "`[` and constraints");
+                return Err(Box::new(error.help("write `[ … ]` instead of `{ … }`")));
+            }
             self.brackets(input, "`[` and constraints", |inside| {
                 self.list(inside, |inside| self.constraint(inside))
             })?

@@ -26,12 +26,22 @@ pub(super) struct Reader {
     depth: Cell<usize>,
     /// The first place where a brace was due.
     unbraced: Cell<Option<Pos>>,
+    /// Errors that cost no declaration.
+    harmless: Cell<usize>,
 }
 
 impl Reader {
     pub(super) fn new(file: FileId, end: Span) -> Self {
         let (errors, closing) = (RefCell::default(), RefCell::default());
-        Reader { file, end, errors, closing, depth: Cell::new(0), unbraced: Cell::new(None) }
+        Reader {
+            file,
+            end,
+            errors,
+            closing,
+            depth: Cell::new(0),
+            unbraced: Cell::new(None),
+            harmless: Cell::new(0),
+        }
     }
 
     pub(super) fn into_errors(self) -> (Vec<Diagnostic>, Option<Pos>) {
@@ -41,6 +51,17 @@ impl Reader {
     /// Remembers that the braces do not fit here.
     pub(super) fn unbraced(&self, input: ParseStream<'_>) {
         self.unbraced.set(self.unbraced.get().or_else(|| Some(self.span(input).start)));
+    }
+
+    /// Notes that what could not be read, if so, declares no name that others use.
+    pub(super) fn declares_nothing<T>(&self, result: Result<T>) -> Result<T> {
+        self.harmless.set(self.harmless.get() + usize::from(result.is_err()));
+        result
+    }
+
+    /// Whether everything that declares a name could be read so far.
+    pub(super) fn declares_all(&self) -> bool {
+        self.errors.borrow().len() == self.harmless.get()
     }
 
     pub(super) fn report(&self, error: Diagnostic) {
