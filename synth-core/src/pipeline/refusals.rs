@@ -535,7 +535,7 @@ fn help_for_wrong_types_and_counts() {
     );
     assert_eq!(
         help(check_body("wait [lamp.level]\n      ~~~~~~~~~~ 22 expected `bool`, found an integer")),
-        "write a condition here, or change the declaration"
+        "write a truth value here, or change the declaration"
     );
     assert_eq!(
         help(check_body(

@@ -91,7 +91,7 @@ impl Resolver {
         }
         let found = self.show_ty(found);
         let help = match wanted {
-            "`bool`" => "write a condition here, or change the declaration".to_owned(),
+            "`bool`" => "write a truth value here, or change the declaration".to_owned(),
             _ => format!("write {wanted} here, or change the declaration"),
         };
         self.error(Code::TypeMismatch, span, format!("expected {wanted}, found {found}")).help = Some(help);
