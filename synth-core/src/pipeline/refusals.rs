@@ -513,6 +513,10 @@ fn names_are_looked_up_where_only_scenarios_and_effects_cannot_be_read() {
         &collaboration(&format!("gaurantee scenario B {{ }}\n{wrong_name}")),
         &[(20, 12), (4, 16), (20, 17)],
     );
+    check_all(
+        &collaboration(&format!("guarantee scenario B {{ wait [1 < 2 < 3] wait lamp }}\n{wrong_name}")),
+        &[(20, 12), (13, 16), (20, 17)],
+    );
     // What a role, a class or an object is called is not known then.
     check_all(&collaboration(&format!("dynmic role Lamp some\n{wrong_name}")), &[(4, 16)]);
     check_all(&collaboration(&format!("guarantee B {{ }}\n{wrong_name}")), &[(4, 16)]);

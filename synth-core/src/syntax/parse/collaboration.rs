@@ -43,9 +43,11 @@ impl Reader {
                     Item::Role(self.role(input)?)
                 } else {
                     scenario_seen.set(self.at_scenario(input));
-                    let is_scenario = self.at_scenario(input) || self.then(input, "scenario");
-                    let scenario = self.scenario(input);
-                    Item::Scenario(if is_scenario { self.declares_nothing(scenario) } else { scenario }?)
+                    Item::Scenario(if self.at_scenario(input) || self.then(input, "scenario") {
+                        self.declares_nothing(|| self.scenario(input))?
+                    } else {
+                        self.scenario(input)?
+                    })
                 };
                 self.optional_separator(input);
                 Ok(item)

@@ -161,7 +161,7 @@ impl Reader {
         };
         let (effects, _) = self.braces(input, "`{` and effects", |inside| {
             Ok(self.items(inside, starts, |input| {
-                let effect = self.declares_nothing(self.effect(input))?;
+                let effect = self.declares_nothing(|| self.effect(input))?;
                 self.optional_separator(input);
                 Ok(effect)
             }))

@@ -150,9 +150,9 @@ impl Reader {
                 })?;
                 Section::Controllable(Controllable { keyword: start, classes })
             }
-            "non" => Section::NonSpontaneous(self.declares_nothing(self.non_spontaneous(input))?),
-            "parameter" => Section::ParameterRanges(self.declares_nothing(self.parameter_ranges(input))?),
-            "channels" => Section::Channels(self.declares_nothing(self.channels(input))?),
+            "non" => Section::NonSpontaneous(self.declares_nothing(|| self.non_spontaneous(input))?),
+            "parameter" => Section::ParameterRanges(self.declares_nothing(|| self.parameter_ranges(input))?),
+            "channels" => Section::Channels(self.declares_nothing(|| self.channels(input))?),
             _ => Section::Collaboration(self.collaboration(input)?),
         })
     }

@@ -53,9 +53,12 @@ impl Reader {
         self.unbraced.set(self.unbraced.get().or_else(|| Some(self.span(input).start)));
     }
 
-    /// Notes that what could not be read, if so, declares no name that others use.
-    pub(super) fn declares_nothing<T>(&self, result: Result<T>) -> Result<T> {
-        self.harmless.set(self.harmless.get() + usize::from(result.is_err()));
+    /// Runs a rule for something that declares no name that others use: what is wrong with it costs nobody else.
+    pub(super) fn declares_nothing<T>(&self, rule: impl FnOnce() -> Result<T>) -> Result<T> {
+        let before = self.errors.borrow().len();
+        let result = rule();
+        let errors = self.errors.borrow().len() - before + usize::from(result.is_err());
+        self.harmless.set(self.harmless.get() + errors);
         result
     }
 
