@@ -25,12 +25,15 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// For a game with so many states: each answer may take four times as many, all together ten times; small games
-    /// may always grow to some thousands.
+    /// For a game with so many states: each answer may take four times as many, all together ten times; games of any
+    /// size may grow to 100,000 and 400,000, which takes seconds at most.
     #[must_use]
     pub fn for_states(states: usize) -> Self {
-        let states = states.max(2_500);
-        Budget { each: states.saturating_mul(4), all: states.saturating_mul(10), memory: usize::MAX }
+        Budget {
+            each: states.saturating_mul(4).max(100_000),
+            all: states.saturating_mul(10).max(400_000),
+            memory: usize::MAX,
+        }
     }
 
     /// At most so many states all together, and at most so much memory for one answer.

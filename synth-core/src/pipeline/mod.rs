@@ -186,7 +186,7 @@ pub fn warnings(
 ) -> Result<Vec<Diagnostic>, Failure> {
     let mut warnings = quality::of_text(loaded, solved.explored.playout.spec());
     let Solved { explored, solution } = solved;
-    let of_game = timings.stage("warnings of plays", || quality::of_game(explored));
+    warnings.extend(timings.stage("warnings of plays", || quality::of_game(explored)));
     if solution.wins(explored.game.initial) {
         let strategy = timings.stage("extract", || strategy(&explored.game, solution))?;
         // Without one there is no controlled system to speak of, and that is an error of its own.
@@ -194,16 +194,15 @@ pub fn warnings(
         let merge = || merge(&explored.game, &strategy, &alphabet, &mut |_| Vec::new());
         if let Ok(controller) = timings.stage("super steps", merge) {
             let controller = timings.stage("minimise", || minimize(&controller, Level::Exact));
-            warnings.extend(timings.stage("warnings of control", || {
-                quality::of_controller(explored, &strategy, &controller, &of_game)
-            }));
+            let of_control = || quality::of_controller(explored, &strategy, &controller, &warnings);
+            let of_control = timings.stage("warnings of control", of_control);
+            warnings.extend(of_control);
         }
         if thorough {
-            let relaxed = || quality::of_assumptions(explored, &of_game);
-            warnings.extend(timings.stage("relax assumptions", relaxed));
+            let relaxed = timings.stage("relax assumptions", || quality::of_assumptions(explored, &warnings));
+            warnings.extend(relaxed);
         }
     }
-    warnings.extend(of_game);
     quality::sort(&mut warnings);
     Ok(warnings)
 }

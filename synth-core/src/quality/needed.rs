@@ -8,7 +8,7 @@ use super::vacuous::{demands_anything, has_violation};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::explore::{Explored, Limits, explore_with};
 use crate::game::solve;
-use crate::model::Kind;
+use crate::model::{Kind, Scenario};
 use crate::playout::Playout;
 
 /// All explorations together may have so many states, about.
@@ -22,12 +22,17 @@ pub(super) fn unneeded(explored: &Explored<'_>, warned: &[Diagnostic]) -> Vec<Di
         let span = spec.scenarios[index].span;
         warned.iter().any(|one| one.code == Code::SystemBreaksAssumption && one.span == span)
     };
+    // What was meant to cause an event needs a modality, not to be removed.
+    let was_to_cause = |scenario: &Scenario| {
+        let marked = warned.iter().filter(|one| one.code == Code::NeverCaused).flat_map(|one| &one.labels);
+        scenario.nodes.iter().any(|node| marked.clone().any(|(place, _)| *place == node.span))
+    };
     let candidates: Vec<usize> = (0..spec.scenarios.len())
         .filter(|&index| {
             let scenario = &spec.scenarios[index];
             let starts = !warned.iter().any(|one| one.code == Code::NeverStarts && one.span == scenario.span);
             let restricts = demands_anything(scenario) || has_violation(scenario);
-            let causes = causes_events(spec, scenario);
+            let causes = causes_events(spec, scenario) || was_to_cause(scenario);
             scenario.kind == Kind::Assumption && starts && restricts && !causes && !is_broken(index)
         })
         .collect();

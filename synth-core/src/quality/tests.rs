@@ -609,3 +609,21 @@ fn an_assumption_that_a_guarantee_relies_on() {
 assumption scenario Once { user -> ctl.press() user -> ctl.stop() } constraints [ forbidden user -> ctl.press() ]",
     );
 }
+
+#[test]
+fn an_assumption_that_was_to_cause_an_event() {
+    let text = |scenario: &str| {
+        format!(
+            "guarantee scenario G {{ user -> ctl.press() urgent ctl -> arm.go() arm -> ctl.done() }}
+{scenario}"
+        )
+    };
+    let constraints = "constraints [ forbidden user -> ctl.press() ]";
+    check_body(
+        99,
+        &text(&format!("assumption scenario A {{ ctl -> arm.go() arm -> ctl.done() }} {constraints}")),
+    );
+    let unrelated = "assumption scenario A { ctl -> arm.go() strict user -> ctl.stop() user -> ctl.press() }
+                    ~ no guarantee needs assumption `C.A`";
+    check_body(99, &text(unrelated));
+}
