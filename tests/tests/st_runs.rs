@@ -9,7 +9,7 @@ use st_evaluator::{Dialect, Instance, Unit};
 use synth_core::controller::cycle::Machine;
 use synth_core::controller::tables::{Provenance, Tables};
 use synth_core::controller::{Component, Controller, SuperStep};
-use synth_core::emit::st::{self, Integers, NameMap, Options, Target, Trigger, Unexpected};
+use synth_core::emit::st::{self, Cost, Integers, NameMap, Options, Target, Trigger, Unexpected};
 use synth_core::pipeline::{Timings, synthesize};
 
 const CALLS: usize = 1000;
@@ -169,6 +169,8 @@ impl<'a> Model<'a> {
 struct Running<'u> {
     names: NameMap,
     instance: Instance<'u>,
+    /// What no call may exceed.
+    bound: Cost,
 }
 
 impl Running<'_> {
@@ -181,6 +183,8 @@ impl Running<'_> {
         }
         let stats = block.call().expect("it runs");
         assert_eq!(stats.wrapped, 0, "integers are wide enough");
+        assert!(stats.statements <= self.bound.statements, "{stats:?}, {:?}", self.bound);
+        assert!(stats.iterations <= self.bound.iterations, "{stats:?}, {:?}", self.bound);
         for ((_, name), value) in self.names.events.iter().zip(&inputs.events) {
             assert_eq!(block.bool(name), Ok(*value), "inputs are not written");
         }
@@ -216,7 +220,10 @@ fn inputs(reference: &Reference<'_>, previous: &[bool], random: &mut Random) -> 
 /// Whose Structured Text a target's is.
 fn dialect(target: Target) -> Dialect {
     match target {
-        Target::Iec => Dialect::Edition2,
+        Target::Iec | Target::Case => Dialect::Edition2,
+        Target::Codesys => Dialect::Codesys,
+        Target::Twincat => Dialect::TwinCat,
+        Target::Siemens => Dialect::Siemens,
     }
 }
 
@@ -234,7 +241,8 @@ fn difference(
         panic!("{}\n{text}", errors.join("\n"));
     });
     let instance = unit.instance(&names.function_block).expect("the function block is there");
-    let mut running = Running { names, instance };
+    let bound = st::bound(tables, &options).expect("it fits");
+    let mut running = Running { names, instance, bound };
     let mut model = Model::new(tables, controller, options);
     let random = &mut Random::new(0x5EED);
     for call in 0..calls {
@@ -256,7 +264,12 @@ fn check(name: &str, tables: &Tables, controller: &Controller, options: Options,
     assert_eq!(difference, None, "{name} with {options:?}");
 }
 
-/// All that the command line can ask for.
+/// The defaults for every target.
+fn all_targets() -> [Options; 5] {
+    Target::ALL.map(|target| Options { target, ..Options::default() })
+}
+
+/// All that the command line can ask for, beside the target.
 fn all_options() -> Vec<Options> {
     let mut all = Vec::new();
     for trigger in [Trigger::Edge, Trigger::Level] {
@@ -271,20 +284,30 @@ fn all_options() -> Vec<Options> {
     all
 }
 
+/// All that the command line can ask for.
+fn everything() -> Vec<Options> {
+    let with_all = |target| all_options().into_iter().map(move |options| Options { target, ..options });
+    Target::ALL.into_iter().flat_map(with_all).collect()
+}
+
 #[test]
 fn corpus() {
     for (name, controller) in corpus_controllers() {
         let tables = Tables::new(&name, &controller, Provenance::default());
-        check(&name, &tables, &controller, Options::default(), calls());
+        for options in all_targets() {
+            check(&name, &tables, &controller, options, calls());
+        }
     }
 }
 
+/// Every specification with every option, and the targets in turn.
 #[test]
 fn corpus_with_all_options() {
-    for (name, controller) in corpus_controllers() {
+    for (first, (name, controller)) in corpus_controllers().into_iter().enumerate() {
         let tables = Tables::new(&name, &controller, Provenance::default());
-        for options in all_options() {
-            check(&name, &tables, &controller, options, calls() / 20);
+        for (turn, options) in all_options().into_iter().enumerate() {
+            let target = Target::ALL[(first + turn) % Target::ALL.len()];
+            check(&name, &tables, &controller, Options { target, ..options }, calls() / 20);
         }
     }
 }
@@ -304,7 +327,9 @@ fn at_random() {
     for (seed, size) in (1..).zip(sizes) {
         let tables = tables::random("Random", size, seed);
         let controller = controller(&tables);
-        check(&format!("{size:?}"), &tables, &controller, Options::default(), calls());
+        for options in all_targets() {
+            check(&format!("{size:?}"), &tables, &controller, options, calls());
+        }
     }
 }
 
@@ -314,7 +339,7 @@ fn at_random_with_all_options() {
         let size = Size { states: 20, events: 5, rows: 40, components: 2 };
         let tables = tables::random("Random", size, 100 + seed);
         let controller = controller(&tables);
-        for options in all_options() {
+        for options in everything() {
             check(&format!("seed {seed}"), &tables, &controller, options, calls() / 4);
         }
     }
@@ -324,7 +349,7 @@ fn at_random_with_all_options() {
 fn made_by_hand() {
     for tables in [tables::cell(), tables::empty(), tables::inner(), tables::names()] {
         let controller = controller(&tables);
-        for options in all_options() {
+        for options in everything() {
             check(&tables.specification, &tables, &controller, options, calls() / 4);
         }
     }

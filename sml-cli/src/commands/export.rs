@@ -77,6 +77,20 @@ pub(crate) enum Target {
     Json,
 }
 
+impl Target {
+    /// Whose Structured Text it is.
+    pub(crate) fn structured_text(self) -> Option<st::Target> {
+        match self {
+            Target::Iec => Some(st::Target::Iec),
+            Target::Codesys => Some(st::Target::Codesys),
+            Target::Twincat => Some(st::Target::Twincat),
+            Target::Siemens => Some(st::Target::Siemens),
+            Target::Case => Some(st::Target::Case),
+            _ => None,
+        }
+    }
+}
+
 impl fmt::Display for Target {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.to_possible_value().as_ref().map_or("", |value| value.get_name()))
@@ -107,7 +121,7 @@ type Writer = fn(&Tables, &Controller, &st::Options) -> Result<String, String>;
 
 pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
     let write = writer(arguments.target)?;
-    if arguments.target != Target::Iec && arguments.text.is_given() {
+    if arguments.target.structured_text().is_none() && arguments.text.is_given() {
         return Err(Failure::usage(format!(
             "options of Structured Text mean nothing to target `{}`",
             arguments.target
@@ -127,7 +141,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     warnings::show(warnings, &policy, &loaded, session)?;
     let tables = Tables::new(&spec.name, &controller, provenance(&loaded, &spec));
     let text = session
-        .stage("emit", || write(&tables, &controller, &arguments.text.options()))
+        .stage("emit", || write(&tables, &controller, &arguments.text.options(arguments.target)))
         .map_err(|why| Failure::new(Exit::Wrong, nowhere(Code::Unfit, why)))?;
     match &arguments.output {
         Some(path) if arguments.check => compare(path, &text, arguments)?,
@@ -139,7 +153,9 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
 fn writer(target: Target) -> Result<Writer, Failure> {
     Ok(match target {
         Target::Rust => |tables, _, _| Ok(rust::text(tables, &rust::Options::default())),
-        Target::Iec => |tables, _, options| st::text(tables, options).map_err(|unfit| unfit.to_string()),
+        target if target.structured_text().is_some() => {
+            |tables, _, options| st::text(tables, options).map_err(|unfit| unfit.to_string())
+        }
         Target::Dot => |tables, _, _| Ok(dot::text(tables)),
         Target::Mermaid => |tables, _, _| Ok(mermaid::text(tables)),
         Target::Json => |_, controller, _| Ok(to_json(controller)),
@@ -169,9 +185,9 @@ impl StructuredText {
         self.trigger.is_some() || self.unexpected.is_some() || self.integers.is_some() || self.drain
     }
 
-    fn options(&self) -> st::Options {
+    fn options(&self, target: Target) -> st::Options {
         st::Options {
-            target: st::Target::Iec,
+            target: target.structured_text().unwrap_or_default(),
             trigger: match self.trigger {
                 Some(Trigger::Level) => st::Trigger::Level,
                 Some(Trigger::Edge) | None => st::Trigger::Edge,
