@@ -263,7 +263,8 @@ codes! {
     Vacuous = 94, "a guarantee that the controlled system never needs",
         "In every play of controller and environment this guarantee either does not start or never comes to a place where\n\
          it asks for something or forbids it. It is met because nothing happens that it speaks of: often a sign that\n\
-         another scenario keeps the system from ever getting there, or that a first message is not the one that was meant.\n";
+         another scenario keeps the system from ever getting there, or that a first message is not the one that was\n\
+         meant.\n";
     OrderMatters = 95, "two events of the environment whose order makes a difference",
         "In some state of the controlled system either of two events can come, and what the controller does, or where it\n\
          ends, depends on which is first; or only one order is allowed, and after the other the second event fits nowhere.\n\
@@ -289,13 +290,15 @@ codes! {
     NeverCaused = 98, "an event that waits for a cause and has none",
         "An event under `non-spontaneous events` can happen only while a copy of an assumption is at a message with a\n\
          modality (`eventually`, `urgent`, `requested` or `committed`) that it matches. A message without one only waits for\n\
-         the event, and the first message of a scenario only starts it: neither causes anything. So this event never happens.\n\n\
+         the event, and the first message of a scenario only starts it: neither causes anything. So this event never\n\
+         happens.\n\n\
          Wrong:  assumption scenario A { ctl -> arm.pickUp()  arm -> ctl.pickedUp() }\n\
          Right:  assumption scenario A { ctl -> arm.pickUp()  eventually arm -> ctl.pickedUp() }\n";
     NotNeeded = 99, "an assumption that no guarantee needs",
         "If this assumption is relaxed, so that the environment may break it and need not meet its obligations, a controller\n\
          still exists. The fewer assumptions a controller relies on, the more environments it fits. An assumption that only\n\
-         causes events goes on causing them when relaxed. Remove it, or make it weaker, unless it is there to document the plant.\n";
+         causes events goes on causing them when relaxed. Remove it, or make it weaker, unless it is there to document\n\
+         the plant.\n";
 
     Usage = 100, "wrong usage",
         "The arguments make no sense together. `sml --help` and `sml COMMAND --help` say what can be asked. The exit\n\

@@ -209,9 +209,13 @@ impl Resolver {
         // An enum literal takes its enum from the other side, so the side that may be one is resolved last.
         let literal_first = self.may_be_literal(left, names);
         let (first, second) = if literal_first { (right, left) } else { (left, right) };
+        let told = self.diagnostics.len();
         let Some((a, first_ty)) = self.expr(first, None, names) else {
-            // The other side may have a mistake of its own; a literal just has no enum now.
-            if !self.may_be_literal(second, names) {
+            // The other side may have a mistake of its own; a literal just has no enum now, and any name may be a
+            // literal of a type that is unknown itself.
+            let is_of_unknown_type = self.diagnostics.len() == told;
+            let is_name = matches!(&second.kind, ast::ExprKind::Path(path) if path.names.len() == 1);
+            if !self.may_be_literal(second, names) && !(is_name && is_of_unknown_type) {
                 self.expr(second, None, names);
             }
             return None;
