@@ -7,7 +7,7 @@ use sml_tests::tables::{self, Random, Size};
 use sml_tests::{corpus, fast};
 use st_evaluator::{Dialect, Instance, Unit};
 use synth_core::controller::cycle::Machine;
-use synth_core::controller::tables::{Provenance, Tables};
+use synth_core::controller::tables::{Mapping, Provenance, Tables};
 use synth_core::controller::{Component, Controller, SuperStep};
 use synth_core::emit::st::{self, Cost, Integers, NameMap, Options, Target, Trigger, Unexpected};
 use synth_core::pipeline::{Timings, synthesize};
@@ -378,6 +378,51 @@ fn the_configuration_runs_the_program() {
         for output in outputs.chain(["state_no", "pending", "unexpected", "overrun"]) {
             assert_eq!(configuration.get(&format!("Main0.{output}")), block.get(output), "{output}");
         }
+    }
+}
+
+/// Events that come in the order opposite to that of the tables, each with four rows, so that every round consumes one
+/// and every search takes its two halvings. In the end the last state waits for the first event.
+fn slowest(events: u32) -> Tables {
+    let mut tables = tables::cell();
+    let states = events + 4;
+    tables.states = states;
+    tables.initial = 0;
+    tables.owed = vec![Vec::new(); states as usize];
+    let last = tables.events[0].clone();
+    tables.events = (0..events)
+        .map(|event| {
+            let mut table = last.clone();
+            table.event = tables::event(&format!("sensor{event:02} -> ctl.seen()"));
+            let first = (events - 1 - event).min(events);
+            let source: Vec<u32> =
+                (0..4).map(|row| if row == 0 { first } else { events + row - 1 }).collect();
+            table.mapping = Mapping { target: source.iter().map(|&s| (s + 1).min(events)).collect(), source };
+            table
+        })
+        .collect();
+    tables.super_steps = Mapping::default();
+    for component in &mut tables.components {
+        component.codes.clear();
+    }
+    tables
+}
+
+/// The bound is no estimate: there are controllers that reach it.
+#[test]
+fn bounds_are_reached() {
+    let tables = slowest(7);
+    for options in all_targets() {
+        let text = st::text(&tables, &options).expect("it fits");
+        let names = st::names(&tables, &options);
+        let unit = Unit::parse(&text, dialect(options.target)).expect("it compiles");
+        let mut block = unit.instance(&names.function_block).expect("it is there");
+        for (_, input) in &names.events {
+            block.set(input, true).expect("an input");
+        }
+        let stats = block.call().expect("it runs");
+        let bound = st::bound(&tables, &options).expect("it fits");
+        assert_eq!((stats.statements, stats.iterations), (bound.statements, bound.iterations), "{options:?}");
     }
 }
 

@@ -108,6 +108,10 @@ fn every_target_writes_something_plausible() {
         for (target, part) in [
             ("rust", "pub mod "),
             ("iec", "END_FUNCTION_BLOCK"),
+            ("codesys", "POINTER TO"),
+            ("twincat", "POINTER TO"),
+            ("siemens", "ORGANIZATION_BLOCK"),
+            ("case", "END_CASE;"),
             ("dot", "digraph "),
             ("mermaid", "stateDiagram-v2"),
             ("json", "\"supersteps\""),
@@ -143,7 +147,7 @@ fn options_of_structured_text_reach_it() {
 #[test]
 fn names_cover_events_and_commands_whatever_the_verdict() {
     for (name, _) in corpus() {
-        for target in ["iec", "rust"] {
+        for target in ["iec", "codesys", "twincat", "siemens", "case", "rust"] {
             let run = sml(&format!("names {name}/spec.sml --target {target}"));
             let names = run.json();
             assert_eq!(
@@ -162,7 +166,7 @@ fn names_cover_events_and_commands_whatever_the_verdict() {
 fn names_are_those_in_the_text() {
     for name in realizable() {
         let controller = sml(&format!("synth {name}/spec.sml")).json();
-        for target in ["iec", "rust"] {
+        for target in ["iec", "codesys", "twincat", "siemens", "case", "rust"] {
             let names = sml(&format!("names {name}/spec.sml --target {target}")).json();
             let text = sml(&format!("export {name}/spec.sml --target {target}")).stdout;
             let events = names["events"].as_array().expect("events");

@@ -69,51 +69,73 @@ impl Mul<u64> for Cost {
 }
 
 /// Costs of the statements that a layout writes.
+#[derive(Default)]
 pub(super) struct LayoutCost {
+    /// What entering the loop over events costs.
+    pub(super) entry: Cost,
     /// A round of the loop over events, without its searches.
     pub(super) round: Cost,
     /// Rounds for every event that is consumed; one more ends the loop.
     pub(super) rounds_per_event: u64,
-    /// Per event with rows its search in one round if it is pending, the most expensive first; none if a round
-    /// does not search.
+    /// Per event with rows its search in one round if it is pending; none if a round does not search.
     pub(super) searches: Vec<Cost>,
     /// What consuming an event adds.
     pub(super) event: Cost,
-    /// What entering the loop over events costs.
-    pub(super) entry: Cost,
-    /// Looking for the super step and doing it.
-    pub(super) super_step: Cost,
+    /// Looking for the super step that is due.
+    pub(super) seek: Cost,
+    /// What doing it adds.
+    pub(super) perform: Cost,
+    /// What leaving it to the next call adds (drain).
+    pub(super) leave: Cost,
+    /// What is added if none is due.
+    pub(super) wait: Cost,
 }
 
 /// What one call costs at most: a cycle, or a drain if `options.drain`.
 pub(super) fn call(block: &Block<'_>) -> Cost {
-    let cost = block.options.target.dialect().layout.cost(block);
-    let events = block.events().count() as u64;
-    let (cycles, events_consumed) = if block.drains() {
-        // Every repetition but the last does a super step; what ends the call does none.
-        let steps = super_steps(block.tables, events);
-        (steps.saturating_add(1), events)
-    } else {
-        (1, events.min(longest_chain(block.tables)))
-    };
-    let mut total = sampling(block);
-    if events > 0 {
-        let rounds = cycles.saturating_add(cost.rounds_per_event * events_consumed);
-        total += cost.entry * cycles + cost.round * rounds + cost.event * events_consumed;
-        let all: Cost = cost.searches.iter().fold(Cost::default(), |sum, search| sum + *search);
-        total += all * (cycles - 1);
-        for consumed in 0..=events_consumed as usize {
-            let left = cost.searches.len().saturating_sub(consumed);
-            total += cost.searches[..left].iter().fold(Cost::default(), |sum, search| sum + *search);
-        }
-    }
-    if block.drains() {
-        total += Cost { statements: 1, iterations: cycles, probes: 0 };
-    }
-    frame(block) + (total + cost.super_step * cycles).max(reset(block))
+    frame(block) + run(block).max(reset(block))
 }
 
-/// What every call does: outputs, `overrun`, `unexpected`, `IF`, `previous`, `state_no`.
+/// A call that runs.
+fn run(block: &Block<'_>) -> Cost {
+    let cost = block.dialect().layout.cost(block);
+    let events = block.events().count() as u64;
+    let raise = Cost::statements(3 * block.names.events.len() as u64);
+    // Unexpected events are looked for only if no super step is due.
+    let waits = cost.wait + refuse(block);
+    if block.drains() {
+        // Every repetition but the last does a super step, and the last one does none.
+        let steps = super_steps(block.tables, events);
+        let cycles = steps.saturating_add(1);
+        let repeats = Cost { statements: 1, iterations: cycles, probes: 0 };
+        let ends = cost.leave.max(waits);
+        raise + repeats + consume(&cost, cycles, events) + cost.seek * cycles + cost.perform * steps + ends
+    } else {
+        let consumed = events.min(longest_chain(block.tables));
+        raise + consume(&cost, 1, consumed) + cost.seek + cost.perform.max(waits)
+    }
+}
+
+/// Entering the loop over events so many times, and consuming so many in all.
+fn consume(cost: &LayoutCost, cycles: u64, consumed: u64) -> Cost {
+    let rounds = cycles.saturating_add(cost.rounds_per_event * consumed);
+    let mut total = cost.entry * cycles + cost.round * rounds + cost.event * consumed;
+    let mut searches = cost.searches.clone();
+    searches.sort_unstable_by_key(|search| std::cmp::Reverse(search.statements));
+    // Sums of the most expensive searches: none, one, two, …
+    let mut sums = vec![Cost::default()];
+    for search in searches {
+        sums.push(sums[sums.len() - 1] + search);
+    }
+    // The loop may end in every cycle but one with everything pending; in the other it is consumed one a round.
+    total += sums[sums.len() - 1] * (cycles - 1);
+    for left in sums.iter().rev().take(consumed as usize + 1) {
+        total += *left;
+    }
+    total
+}
+
+/// What every call does: outputs, `overrun`, `unexpected`, `IF reset`, `previous`, `state_no`.
 fn frame(block: &Block<'_>) -> Cost {
     let clears = u64::from(block.options.unexpected != Unexpected::Fault);
     let edges = if block.options.trigger == Trigger::Edge { block.names.events.len() } else { 0 };
@@ -126,13 +148,9 @@ fn reset(block: &Block<'_>) -> Cost {
     Cost::statements(1 + clears) + each_event(block, 1)
 }
 
-/// What a call that runs does beside the layout's statements: it samples all inputs, each of which may raise its event,
-/// and looks for unexpected events.
-fn sampling(block: &Block<'_>) -> Cost {
-    let events = block.names.events.len() as u64;
-    let refused = if block.options.unexpected == Unexpected::Drop { 2 } else { 1 };
-    let asks = u64::from(events > 0 && block.has_super_steps());
-    Cost::statements(3 * events + asks) + each_event(block, refused)
+/// Looking for unexpected events.
+fn refuse(block: &Block<'_>) -> Cost {
+    each_event(block, if block.options.unexpected == Unexpected::Drop { 2 } else { 1 })
 }
 
 /// A loop over the events.

@@ -215,6 +215,44 @@ mod tests {
         assert_eq!(scope.claim("plc", ""), "plc_2");
     }
 
+    /// Every word of every target, as the text of an event, of a command's object, and of the specification.
+    #[test]
+    fn no_name_is_a_word_of_the_target() {
+        for target in Target::ALL {
+            let words = target.dialect().words;
+            assert!(words.iter().count() > 200, "{}", target.name());
+            let mut scope = Scope::new(words, 63);
+            let mut given = BTreeSet::new();
+            for word in words.iter() {
+                for spelling in [word.to_owned(), word.to_lowercase()] {
+                    let name = scope.claim(&identifier(&spelling), "");
+                    assert!(name.starts_with(&identifier(&spelling)), "{name} is readable");
+                    assert!(!words.iter().any(|other| other.eq_ignore_ascii_case(&name)), "{name}");
+                    assert!(given.insert(name.to_ascii_uppercase()), "{name} twice");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn words_of_other_targets_are_free() {
+        let name = |target: Target, word: &str| Scope::new(target.dialect().words, 63).claim(word, "");
+        for (word, target) in [
+            ("persistent", Target::Codesys),
+            ("interface", Target::Twincat),
+            ("pvoid", Target::Twincat),
+            ("region", Target::Siemens),
+            ("to_int", Target::Codesys),
+            ("dint_to_ltime", Target::Siemens),
+        ] {
+            assert_eq!(name(target, word), format!("{word}_2"), "{}", target.name());
+            assert_eq!(name(Target::Iec, word), word);
+            assert_eq!(name(Target::Case, word), word);
+        }
+        assert_eq!(name(Target::Codesys, "pvoid"), "pvoid");
+        assert_eq!(name(Target::Siemens, "persistent"), "persistent");
+    }
+
     #[test]
     fn long_names_keep_both_ends() {
         let mut scope = Scope::new(Target::Iec.dialect().words, 20);

@@ -15,7 +15,7 @@ pub(super) fn write(out: &mut Writer, block: &Block<'_>) {
     let statements = |out: &mut Writer| {
         call(out, names);
         for output in outputs(names) {
-            out.code(format_args!("#{output} := #controller.{output};"));
+            out.code_in_parts(&[format!("#{output} :="), format!("#controller.{output};")]);
         }
     };
     frame.program(out, &names.program, &variables, &statements);

@@ -39,12 +39,13 @@ impl Writer {
     }
 
     /// A statement on one line, or if it is too long with one part a line.
-    pub(super) fn code_in_parts(&mut self, parts: &[String]) {
+    pub(super) fn code_in_parts(&mut self, parts: &[impl AsRef<str>]) {
+        let parts: Vec<&str> = parts.iter().map(AsRef::as_ref).collect();
         let line = self.unmarked(parts.join(" "));
         if line.len() + self.depth * INDENT.len() <= LINE_LIMIT {
             return self.line(line);
         }
-        for (index, part) in parts.iter().enumerate() {
+        for (index, part) in parts.into_iter().enumerate() {
             self.depth += usize::from(index > 0);
             self.code(part);
             self.depth -= usize::from(index > 0);
@@ -58,6 +59,20 @@ impl Writer {
     /// Statements under a condition.
     pub(super) fn when(&mut self, condition: impl Display, inside: impl FnOnce(&mut Writer)) {
         self.code(format_args!("IF {condition} THEN"));
+        self.indented(inside);
+        self.code("END_IF;");
+    }
+
+    /// Statements under several conditions.
+    pub(super) fn when_all(&mut self, conditions: &[String], inside: impl FnOnce(&mut Writer)) {
+        let mut parts: Vec<String> = conditions.iter().map(|condition| format!("AND {condition}")).collect();
+        if let Some(first) = parts.first_mut() {
+            first.replace_range(.."AND".len(), "IF");
+        }
+        if let Some(last) = parts.last_mut() {
+            last.push_str(" THEN");
+        }
+        self.code_in_parts(&parts);
         self.indented(inside);
         self.code("END_IF;");
     }

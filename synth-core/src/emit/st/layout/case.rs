@@ -63,30 +63,31 @@ impl Layout for CaseLayout {
     }
 
     fn cost(&self, block: &Block<'_>) -> LayoutCost {
-        let commands = (0..block.tables.super_steps.source.len())
-            .map(|row| commands(block, row).count() as u64)
-            .max()
-            .unwrap_or(0);
-        let step = match (block.has_super_steps(), block.drains()) {
-            (false, _) => 0,
-            // `due`, `CASE`, `state`, the outputs.
-            (true, false) => 3 + commands,
-            // `done` twice, an `IF` where something is commanded.
-            (true, true) => 5 + u64::from(commands > 0) + commands,
-        };
-        let branch = branches_of(block).iter().map(Vec::len).max().unwrap_or(0) as u64;
-        LayoutCost {
-            // `changed`, `event`, `CASE`, its branch's `IF`, the `IF` behind it, and what starts or ends a round.
-            round: Cost { statements: 6, iterations: 1, probes: branch },
-            // One pass follows the event, another starts again.
-            rounds_per_event: 2,
-            searches: Vec::new(),
-            // `state`, `event`, and one more behind.
-            event: Cost::statements(3),
+        let mut cost = LayoutCost::default();
+        if block.has_rows() {
             // `next`, and the loop.
-            entry: Cost::statements(2),
-            super_step: Cost::statements(step),
+            cost.entry = Cost::statements(2);
+            // One pass follows the event, another starts again.
+            cost.rounds_per_event = 2;
+            let branch = branches_of(block).iter().map(Vec::len).max().unwrap_or(0) as u64;
+            // `changed`, `event`, `CASE`, its branch's `IF`, the `IF` behind it, and what starts or ends a round.
+            cost.round = Cost { statements: 6, iterations: 1, probes: branch };
+            // `state`, `event`, and one more behind.
+            cost.event = Cost::statements(3);
         }
+        if block.has_super_steps() {
+            let rows = 0..block.tables.super_steps.source.len();
+            let commands = rows.map(|row| commands(block, row).count() as u64).max().unwrap_or(0);
+            let drains = u64::from(block.drains());
+            let asks = drains * u64::from(commands > 0);
+            // `due`, `done`, `CASE`, and `IF NOT due` behind.
+            cost.seek = Cost::statements(2 + drains + u64::from(!block.names.events.is_empty()));
+            // An `IF` where something is commanded, the outputs, `state`, `done`.
+            cost.perform = Cost::statements(asks + commands + 1 + drains);
+            cost.leave = Cost::statements(asks);
+            cost.wait = Cost::statements(1);
+        }
+        cost
     }
 }
 
@@ -142,18 +143,7 @@ fn super_step(out: &mut Writer, block: &Block<'_>, row: usize, target: u32) {
     };
     let free: Vec<String> = commands(block, row).map(|(output, _)| format!("#{output} = 0")).collect();
     if block.drains() && !free.is_empty() {
-        let condition: Vec<String> = free
-            .iter()
-            .enumerate()
-            .map(|(index, free)| match index {
-                0 => format!("IF {free}"),
-                _ => format!("AND {free}"),
-            })
-            .chain(["THEN".to_owned()])
-            .collect();
-        out.code_in_parts(&condition);
-        out.indented(perform);
-        out.code("END_IF;");
+        out.when_all(&free, perform);
     } else {
         perform(out);
     }

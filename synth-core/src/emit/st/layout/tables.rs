@@ -85,7 +85,8 @@ impl Layout for TableLayout {
             out.code("#done := NOT #due;");
             for component in &block.names.components {
                 let (output, codes) = (&component.output, &component.codes);
-                out.when(format_args!("#{output} <> 0 AND #{codes}[#first] <> 0"), |out| {
+                let again = [format!("#{output} <> 0"), format!("#{codes}[#first] <> 0")];
+                out.when_all(&again, |out| {
                     out.code("#done := TRUE;");
                 });
             }
@@ -94,13 +95,12 @@ impl Layout for TableLayout {
             for (names, codes) in block.components() {
                 let output = &names.output;
                 let code = codes.converted(Integer::Int, &format!("#{}[#first]", names.codes));
+                let command = [format!("#{output} :="), format!("{code};")];
                 if block.drains() {
                     // A command of an earlier super step stays.
-                    out.when(format_args!("#{output} = 0"), |out| {
-                        out.code(format_args!("#{output} := {code};"));
-                    });
+                    out.when(format_args!("#{output} = 0"), |out| out.code_in_parts(&command));
                 } else {
-                    out.code(format_args!("#{output} := {code};"));
+                    out.code_in_parts(&command);
                 }
             }
             out.code("#state := #target[#first];");
@@ -108,29 +108,36 @@ impl Layout for TableLayout {
     }
 
     fn cost(&self, block: &Block<'_>) -> LayoutCost {
+        let mut cost = LayoutCost::default();
+        // The search, and the statement that compares what it found.
         let compared = |rows| self.search.cost(rows) + Cost { statements: 1, probes: 1, iterations: 0 };
-        let mut searches: Vec<Cost> =
-            block.events().map(|(_, mapping, ..)| compared(mapping.source.len())).collect();
-        searches.sort_unstable_by_key(|cost| std::cmp::Reverse(cost.statements));
-        let components = block.names.components.len() as u64;
-        let step = match (block.has_super_steps(), block.drains()) {
-            (false, _) => Cost::default(),
-            // `due`, `IF`, `state`, and per component its output.
-            (true, false) => Cost::statements(2 + components),
-            // `done`, and per component one `IF` before, and one around its output.
-            (true, true) => Cost::statements(3 + 3 * components),
-        };
-        let rows = block.tables.super_steps.source.len();
-        LayoutCost {
+        if block.has_rows() {
+            cost.entry = Cost::statements(1);
+            cost.rounds_per_event = 1;
+            cost.searches = block.events().map(|(_, mapping, ..)| compared(mapping.source.len())).collect();
             // `changed`, and an `IF` per event.
-            round: Cost { statements: 1 + searches.len() as u64, iterations: 1, probes: 0 },
-            rounds_per_event: 1,
-            searches,
+            cost.round = Cost { statements: 1 + cost.searches.len() as u64, iterations: 1, probes: 0 };
             // `state`, `pending`, `changed`.
-            event: Cost::statements(3),
-            entry: Cost::statements(1),
-            super_step: if block.has_super_steps() { compared(rows) + step } else { step },
+            cost.event = Cost::statements(3);
         }
+        if block.has_super_steps() {
+            let components = block.names.components.len() as u64;
+            let looked = compared(block.tables.super_steps.source.len());
+            if block.drains() {
+                // `done`, an `IF` per component, `IF NOT done`.
+                cost.seek = looked + Cost::statements(2 + components);
+                // `state`, and per component an `IF` around its output.
+                cost.perform = Cost::statements(1 + 2 * components);
+                cost.leave = Cost::statements(components);
+            } else {
+                // `IF due`.
+                cost.seek = looked + Cost::statements(1);
+                cost.perform = Cost::statements(1 + components);
+            }
+            // `IF NOT due`, behind.
+            cost.seek += Cost::statements(u64::from(!block.names.events.is_empty()));
+        }
+        cost
     }
 }
 
@@ -234,8 +241,9 @@ impl Search for Pointers {
 
     fn find(&self, out: &mut Writer, block: &Block<'_>, source: &str, rows: usize) {
         let call = [
-            format!("#first := {}(", block.names.search),
-            format!("source := ADR(#{source}),"),
+            "#first :=".to_owned(),
+            format!("{}(source :=", block.names.search),
+            format!("ADR(#{source}),"),
             format!("last_row := {},", rows - 1),
             "state := #state);".to_owned(),
         ];
