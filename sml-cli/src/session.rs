@@ -9,6 +9,7 @@ use std::time::Duration;
 use synth_core::controller::{Controller, Level};
 use synth_core::diagnostic::{Diagnostic, counted};
 use synth_core::existential::{Existential, existential};
+use synth_core::explain::{Explanation, explain};
 use synth_core::explore::{Explored, explore};
 use synth_core::model::Spec;
 use synth_core::pipeline::{self, Options, Solved, Timings, Verified};
@@ -153,6 +154,12 @@ impl Session {
         warnings.map_err(|failure| Failure::of(&failure, loaded))
     }
 
+    /// Why the system cannot win; `None` if it can.
+    pub(crate) fn explain(&mut self, solved: &Solved<'_>) -> Option<Explanation> {
+        let limits = self.common.limits();
+        self.timings.stage("explain", || explain(solved, &limits))
+    }
+
     /// Runs a stage that is no part of the pipeline.
     pub(crate) fn stage<T>(&mut self, name: &'static str, run: impl FnOnce() -> T) -> T {
         self.timings.stage(name, run)
@@ -164,7 +171,7 @@ impl Session {
             return;
         }
         let line = |name: &str, time: Duration| {
-            output::note(&format!("{name:<12} {:>12.3} ms", time.as_secs_f64() * 1e3));
+            output::note(&format!("{name:<19} {:>12.3} ms", time.as_secs_f64() * 1e3));
         };
         for (name, time) in &self.timings.0 {
             line(name, *time);

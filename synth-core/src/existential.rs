@@ -197,7 +197,7 @@ impl<'s> Search<'s> {
             self.check(id as usize)?;
             self.store.load(state, &mut config);
             if let Err((event, error)) = self.playout.moves(&config, &mut moves) {
-                let last = event.map(|event| self.text(Some(event)));
+                let last = event.map(|event| self.playout.text(Some(event)).to_owned());
                 return Err(broken(&error, &self.play(id, last)));
             }
             followed.clear();
@@ -205,7 +205,7 @@ impl<'s> Search<'s> {
             for &(index, place) in &followed {
                 let one = &moves.moves[index];
                 if one.completed {
-                    let last = self.text(one.event);
+                    let last = self.playout.text(one.event).to_owned();
                     return Ok(Some(self.play(id, Some(last))));
                 }
                 if one.end.is_none() {
@@ -244,15 +244,11 @@ impl<'s> Search<'s> {
         let mut play: Vec<String> = last.into_iter().collect();
         let mut here = id as usize;
         while here != 0 {
-            play.push(self.text(self.nodes[here].event));
+            play.push(self.playout.text(self.nodes[here].event).to_owned());
             here = self.nodes[here].parent as usize;
         }
         play.reverse();
         play
-    }
-
-    fn text(&self, event: Option<EventId>) -> String {
-        event.map_or_else(|| "yield".to_owned(), |event| self.playout.event(event).text.clone())
     }
 }
 

@@ -22,4 +22,6 @@ pub mod playout;
 pub mod quality;
 mod suggest;
 pub mod syntax;
+#[cfg(test)]
+mod testing;
 pub mod verify;

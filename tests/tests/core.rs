@@ -4,6 +4,7 @@ use sml_tests::random::{Options, specification};
 use sml_tests::{corpus, fast, naive};
 use std::collections::{BTreeMap, BTreeSet};
 use synth_core::explain::explain;
+use synth_core::explore::Limits;
 use synth_core::pipeline::Failure;
 use synth_core::syntax::ast::ScenarioKind;
 
@@ -27,7 +28,7 @@ fn check(text: &str, classic: bool, most: usize) -> Result<Option<usize>, String
         Err(Failure::Limit(_) | Failure::Wrong(_)) => return Ok(None),
         Err(failure) => return Err(format!("{failure:?}")),
     };
-    let Some(explanation) = explain(&solved) else { return Ok(None) };
+    let Some(explanation) = explain(&solved, &Limits::default()) else { return Ok(None) };
     let mut naive = naive::Spec::new(&corpus::parse(text)?)?;
     let core: BTreeSet<&str> = explanation.scenarios.iter().map(String::as_str).collect();
     if core.len() != explanation.scenarios.len() || core.is_empty() {

@@ -9,6 +9,7 @@ use sml_tests::random::{Features, Options, specification};
 use sml_tests::{corpus, fast};
 use std::collections::BTreeSet;
 use synth_core::explain::{Explanation, PlayStep, Refusal, SILENCE, explain};
+use synth_core::explore::Limits;
 use synth_core::game::{CounterStrategy, YIELD};
 use synth_core::model::Type;
 use synth_core::pipeline::{Failure, Solved};
@@ -280,7 +281,7 @@ fn check(text: &str, classic: bool, states: usize) -> Result<bool, String> {
         Err(Failure::Limit(_) | Failure::Wrong(_)) => return Ok(false),
         Err(failure) => return Err(format!("{failure:?}")),
     };
-    let Some(explanation) = explain(&solved) else { return Ok(false) };
+    let Some(explanation) = explain(&solved, &Limits::default()) else { return Ok(false) };
     let naive = Spec::new(&corpus::parse(text)?)?;
     let semantics = if classic { Semantics::Classic } else { Semantics::Default };
     check_explanation(&naive, semantics, &solved, &explanation)

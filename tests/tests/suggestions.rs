@@ -5,6 +5,7 @@ use sml_tests::random::{Options, specification};
 use sml_tests::{corpus, fast, naive};
 use std::collections::BTreeSet;
 use synth_core::explain::{Suggestion, explain};
+use synth_core::explore::Limits;
 use synth_core::pipeline::{Failure, Timings, synthesize};
 
 /// The text with `scenario` as the last of its collaboration.
@@ -64,7 +65,7 @@ fn check(text: &str, classic: bool, most: usize) -> Result<usize, String> {
         Err(Failure::Limit(_) | Failure::Wrong(_)) => return Ok(0),
         Err(failure) => return Err(format!("{failure:?}")),
     };
-    let Some(explanation) = explain(&solved) else { return Ok(0) };
+    let Some(explanation) = explain(&solved, &Limits::default()) else { return Ok(0) };
     for suggestion in &explanation.suggestions {
         try_out(text, suggestion, classic)?;
     }

@@ -13,7 +13,7 @@ use std::path::PathBuf;
 use synth_core::controller::Level;
 use synth_core::diagnostic::{Diagnostic, render, to_json};
 use synth_core::existential::Existential;
-use synth_core::explain::{Explanation, explain};
+use synth_core::explain::Explanation;
 use synth_core::model::{Kind, Spec};
 use synth_core::pipeline::{Figures, Solved};
 use synth_core::syntax::{Loaded, Sources};
@@ -112,7 +112,7 @@ fn examine(
     solved: &mut Solved<'_>,
     session: &mut Session,
 ) -> Result<Report, Failure> {
-    let explanation = session.stage("explain", || explain(solved));
+    let explanation = session.explain(solved);
     let place = |span| loaded.sources.place(span);
     let mut diagnostics: Vec<Diagnostic> =
         explanation.iter().map(|explanation| explanation.diagnostic_with(&place)).collect();

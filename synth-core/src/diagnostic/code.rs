@@ -263,8 +263,7 @@ codes! {
     Vacuous = 94, "a guarantee that the controlled system never needs",
         "In every play of controller and environment this guarantee either does not start or never comes to a place where\n\
          it asks for something or forbids it. It is met because nothing happens that it speaks of: often a sign that\n\
-         another scenario keeps the system from ever getting there, or that a first message is not the one that was\n\
-         meant.\n";
+         another scenario keeps the system from ever getting there, or that a first message is not the one that was meant.\n";
     OrderMatters = 95, "two events of the environment whose order makes a difference",
         "In some state of the controlled system either of two events can come, and what the controller does, or where it\n\
          ends, depends on which is first; or only one order is allowed, and after the other the second event fits nowhere.\n\
@@ -297,8 +296,8 @@ codes! {
     NotNeeded = 99, "an assumption that no guarantee needs",
         "If this assumption is relaxed, so that the environment may break it and need not meet its obligations, a controller\n\
          still exists. The fewer assumptions a controller relies on, the more environments it fits. An assumption that only\n\
-         causes events goes on causing them when relaxed. Remove it, or make it weaker, unless it is there to document\n\
-         the plant.\n";
+         causes events goes on causing them when relaxed. Remove it, or make it weaker, unless it is there to document the\n\
+         plant.\n";
 
     Usage = 100, "wrong usage",
         "The arguments make no sense together. `sml --help` and `sml COMMAND --help` say what can be asked. The exit\n\

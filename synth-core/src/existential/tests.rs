@@ -1,28 +1,10 @@
 use super::*;
-use crate::pipeline::{Timings, play_and_solve, specification, synthesize};
-use crate::syntax::load;
-
-/// A controller and its surroundings; `BODY` is a collaboration's.
-const WORLD: &str = "specification World {
-  domain d {
-    class User { }
-    class Control { press() release() tick() }
-    class Lamp { on() off() }
-  }
-  object user: User
-  object control: Control
-  object lamp: Lamp
-  controllable { Control }
-  collaboration C {
-BODY
-  }
-}";
+use crate::pipeline::{Timings, play_and_solve, synthesize};
+use crate::testing::{spec, world};
 
 /// One line for each existential scenario.
 fn examined(body: &str) -> String {
-    let text = WORLD.replace("BODY", body);
-    let loaded = load("world.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
-    let spec = specification(&loaded).expect("a specification");
+    let spec = spec(&world(body));
     let mut timings = Timings::default();
     let options = Options::default();
     let mut solved = play_and_solve(&spec, &options, &mut timings).expect("a game");
@@ -171,9 +153,8 @@ fn several_copies_are_followed() {
 
 #[test]
 fn without_a_controller_nothing_is_reachable() {
-    let text = WORLD.replace("BODY", &format!("{LAMP} existential scenario E {{ user -> control.press() }}"));
-    let loaded = load("world.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
-    let spec = specification(&loaded).expect("a specification");
+    let text = world(&format!("{LAMP} existential scenario E {{ user -> control.press() }}"));
+    let spec = spec(&text);
     let options = Options::default();
     let solved = play_and_solve(&spec, &options, &mut Timings::default()).expect("a game");
     let found = existential(&spec, &options, &solved, None).expect("no mistakes");
@@ -186,8 +167,7 @@ fn without_a_controller_nothing_is_reachable() {
     assert_eq!(found, [expected]);
     let tight = Options { limits: Limits { states: 1, ..options.limits }, ..options };
     let text = text.replace("control.press() }\n", "control.tick() user -> control.tick() }\n");
-    let loaded = load("world.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
-    let spec = specification(&loaded).expect("a specification");
+    let spec = crate::testing::spec(&text);
     let solved = play_and_solve(&spec, &options, &mut Timings::default()).expect("a game");
     assert!(matches!(existential(&spec, &tight, &solved, None), Err(Failure::Limit(_))));
 }

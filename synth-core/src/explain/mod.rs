@@ -18,10 +18,11 @@ use suggest::{Basis, suggest};
 
 use self::core::Core;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::game::{CounterPlay, Loss, YIELD, can_meet, counter_play};
+use crate::explore::Limits;
+use crate::game::{CounterPlay, Loss, can_meet, counter_play};
 use crate::model::{Kind, Spec};
 use crate::pipeline::Solved;
-use crate::playout::{Config, Key, KeyId, Moves, Playout, Semantics, Step};
+use crate::playout::{Config, Key, KeyId, Playout, Semantics, Step};
 use crate::syntax::{FileId, Span};
 use std::collections::BTreeSet;
 
@@ -204,20 +205,17 @@ pub const SILENCE: &str = "silence";
 ///
 /// The counter-play costs about as much as solving the game once more, the core and the suggestions each as much as
 /// [`Budget`] says: exploring and solving it ten times at most. In practice that is once or twice for each scenario of the
-/// core, and once for each assumption that is tried.
+/// core, and once for each assumption that is tried. All explorations for the core together visit no more states than
+/// the limits allow, and so do those for suggestions; none takes more memory. With little, the core may be larger than
+/// minimal and suggestions may be missing.
 #[must_use]
-pub fn explain(solved: &Solved<'_>) -> Option<Explanation> {
-    explain_within(solved, usize::MAX)
-}
-
-/// As [`explain`]; all explorations together visit at most so many states. With few, the core may be larger than minimal
-/// and suggestions may be missing.
-#[must_use]
-pub fn explain_within(solved: &Solved<'_>, states: usize) -> Option<Explanation> {
+pub fn explain(solved: &Solved<'_>, limits: &Limits) -> Option<Explanation> {
     let CounterPlay { play, cycle, loss } = counter_play(&solved.explored.game, &solved.solution)?;
     let spec = solved.explored.playout.spec();
     let mut replay = Replay::of(solved)?;
-    let texts = |edges: &[u32]| edges.iter().map(|&edge| text(solved, edge)).collect::<Vec<_>>();
+    let texts = |edges: &[u32]| {
+        edges.iter().map(|&edge| solved.explored.text(edge as usize).to_owned()).collect::<Vec<_>>()
+    };
     let (play_edges, cycle_edges) = (play, cycle);
     let (play, mut cycle) = (texts(&play_edges), texts(&cycle_edges));
     let findings = match loss {
@@ -238,7 +236,7 @@ pub fn explain_within(solved: &Solved<'_>, states: usize) -> Option<Explanation>
     if cycle.is_empty() && loss != Loss::Violation {
         cycle.push(SILENCE.to_owned());
     }
-    let budget = Budget::for_states(solved.explored.game.states()).within(states);
+    let budget = Budget::for_states(solved.explored.game.states()).within(limits);
     let mut prober = Prober::new(spec, solved.explored.playout.semantics(), budget)?.knowing(false);
     let core = core::core(&mut prober, &findings.scenarios);
     let cause = cause(solved, loss, &findings, &core, &mut prober);
@@ -309,13 +307,6 @@ fn guarantees(spec: &Spec) -> impl Iterator<Item = usize> {
     (0..spec.scenarios.len()).filter(|&scenario| spec.scenarios[scenario].kind == Kind::Guarantee)
 }
 
-fn text(solved: &Solved<'_>, edge: u32) -> String {
-    match solved.explored.game.label[edge as usize] {
-        YIELD => "yield".to_owned(),
-        event => solved.explored.playout.event(event).text.clone(),
-    }
-}
-
 /// What a replay shows.
 struct Findings {
     /// Indices of those that are violated or starve, then of those that block; with duplicates.
@@ -330,7 +321,7 @@ struct Findings {
 struct Replay<'s> {
     playout: Playout<'s>,
     config: Config,
-    moves: Moves,
+    step: Step,
 }
 
 impl<'s> Replay<'s> {
@@ -339,7 +330,7 @@ impl<'s> Replay<'s> {
     fn new(spec: &'s Spec, semantics: Semantics) -> Option<Self> {
         let mut playout = Playout::new(spec, semantics).ok()?;
         let config = playout.initial().ok()?;
-        Some(Replay { playout, config, moves: Moves::default() })
+        Some(Replay { playout, config, step: Step::default() })
     }
 
     /// In the specification that was solved.
@@ -348,26 +339,36 @@ impl<'s> Replay<'s> {
         Self::new(explored.spec(), explored.semantics())
     }
 
+    /// Takes a step; `None` if it violates an assumption. Whose turn it is, is not looked at: that takes a step for every
+    /// event that could happen, and the play is known to be one of the specification, as far as assumptions let it.
     fn follow(&mut self, text: &str) -> Option<()> {
-        self.playout.moves(&self.config, &mut self.moves).ok()?;
-        let is_it = |event| match event {
-            Some(event) => self.playout.event(event).text == text,
-            None => text == "yield",
-        };
-        let one = self.moves.moves.iter().find(|one| is_it(one.event))?;
-        self.config.clone_from(&one.config);
+        let Replay { playout, config, step } = self;
+        if text == "yield" {
+            config.yielded = true;
+            return Some(());
+        }
+        let event = playout.find_event(text).or_else(|| {
+            // Events of the system are known once somebody wants them.
+            playout.wanted(config);
+            playout.find_event(text)
+        })?;
+        playout.step(config, event, step);
+        if step.error.is_some() || step.violates(playout.spec(), Kind::Assumption) {
+            return None;
+        }
+        std::mem::swap(config, &mut step.config);
         Some(())
     }
 
     /// The environment's last event violates guarantees.
     fn violation(&mut self, last: &str) -> Findings {
         let spec = self.playout.spec();
-        let mut step = Step::default();
+        let mut scenarios = Vec::new();
         if let Some(event) = self.playout.find_event(last) {
-            self.playout.step(&self.config, event, &mut step);
+            self.playout.step(&self.config, event, &mut self.step);
+            scenarios.append(&mut self.step.violated);
         }
-        step.violated.retain(|&scenario| spec.scenarios[scenario].kind == Kind::Guarantee);
-        let mut scenarios = step.violated;
+        scenarios.retain(|&scenario| spec.scenarios[scenario].kind == Kind::Guarantee);
         let mut blocked = BTreeSet::new();
         let violated = scenarios.clone();
         for key in self.open() {

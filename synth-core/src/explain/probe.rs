@@ -17,9 +17,11 @@ pub type Scenarios = BTreeSet<usize>;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Budget {
     /// Most states for one answer.
-    pub(super) each: usize,
+    each: usize,
     /// Most states for all.
-    pub(super) all: usize,
+    all: usize,
+    /// Most bytes for one answer.
+    memory: usize,
 }
 
 impl Budget {
@@ -28,18 +30,19 @@ impl Budget {
     #[must_use]
     pub fn for_states(states: usize) -> Self {
         let states = states.max(2_500);
-        Budget { each: states.saturating_mul(4), all: states.saturating_mul(10) }
+        Budget { each: states.saturating_mul(4), all: states.saturating_mul(10), memory: usize::MAX }
     }
 
-    /// At most so many states all together.
+    /// At most so many states all together, and at most so much memory for one answer.
     #[must_use]
-    pub fn within(self, states: usize) -> Self {
-        Budget { each: self.each.min(states), all: self.all.min(states) }
+    pub fn within(self, limits: &Limits) -> Self {
+        let Limits { states, memory } = *limits;
+        Budget { each: self.each.min(states), all: self.all.min(states), memory }
     }
 
     /// The limits of the next exploration.
     pub(super) fn limits(&self) -> Limits {
-        Limits { states: self.each.min(self.all), ..Limits::default() }
+        Limits { states: self.each.min(self.all), memory: self.memory }
     }
 
     /// So many states have been explored.

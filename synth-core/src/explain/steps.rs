@@ -3,7 +3,7 @@
 use super::{Replay, SILENCE};
 use crate::game::Turn;
 use crate::pipeline::Solved;
-use crate::playout::{EventId, Objection, Playout, Reasons};
+use crate::playout::{EventId, Moves, Objection, Playout, Reasons};
 use crate::syntax::Span;
 
 /// A step of a counter-play, and what the scenarios have to do with it.
@@ -65,11 +65,11 @@ impl Mention {
 
 /// Plays the play out once more, and then the cycle once; `None` if it is none of this specification.
 pub(super) fn annotate(solved: &Solved<'_>, play: &[String], cycle: &[String]) -> Option<Vec<PlayStep>> {
-    let mut replay = Replay::of(solved)?;
+    let (mut replay, mut moves) = (Replay::of(solved)?, Moves::default());
     let play = play.iter().map(|event| (event, false));
     play.chain(cycle.iter().map(|event| (event, true)))
         .map(|(event, in_loop)| {
-            let step = step(&mut replay, event, in_loop)?;
+            let step = step(&mut replay, &mut moves, event, in_loop)?;
             if event != SILENCE {
                 replay.follow(event)?;
             }
@@ -78,8 +78,8 @@ pub(super) fn annotate(solved: &Solved<'_>, play: &[String], cycle: &[String]) -
         .collect()
 }
 
-fn step(replay: &mut Replay<'_>, text: &str, in_loop: bool) -> Option<PlayStep> {
-    let Replay { playout, config, moves } = replay;
+fn step(replay: &mut Replay<'_>, moves: &mut Moves, text: &str, in_loop: bool) -> Option<PlayStep> {
+    let Replay { playout, config, .. } = replay;
     playout.moves(config, moves).ok()?;
     let mut step = PlayStep {
         event: text.to_owned(),

@@ -1,7 +1,7 @@
 //! Assumptions that would help: a few standard shapes, each put into the specification and tried.
 //!
-//! Only those are tried that rule the counter-play out. The parts are messages that the scenarios of the core, and of what else is involved, speak of, as they stand there,
-//! and the events of the game. An assumption is suggested if with it
+//! Only those are tried that rule the counter-play out. The parts are messages that the scenarios of the core, and of what
+//! else is involved, speak of, as they stand there, and the events of the game. An assumption is suggested if with it
 //!
 //! * the specification is realizable,
 //! * there is no state in which the system could keep the environment from meeting its assumptions: nothing is won
@@ -42,7 +42,7 @@ impl Suggestion {
     }
 }
 
-/// Most assumptions of one shape with which the counter-play is played out once more.
+/// Most assumptions of one shape that are looked at: with which the counter-play is played out once more.
 const MOST_REPLAYED: usize = 200;
 /// Most assumptions of one shape that are tried: with which the whole game is explored.
 const MOST_TRIED: usize = 16;
@@ -65,7 +65,7 @@ pub(super) struct Basis<'a, 's> {
 pub(super) fn suggest(basis: &Basis<'_, '_>, mut budget: Budget) -> Vec<Suggestion> {
     let mut suggestions = Vec::new();
     for shape in basis.candidates() {
-        let promising = shape.iter().take(MOST_REPLAYED).filter(|candidate| basis.is_ruled_out_by(candidate));
+        let promising = shape.iter().filter(|candidate| basis.is_ruled_out_by(candidate));
         let found = promising.take(MOST_TRIED).find(|candidate| basis.works(candidate, &mut budget));
         suggestions.extend(found.map(|found| found.suggestion(basis.spec())));
     }
@@ -84,7 +84,7 @@ impl<'s> Basis<'_, 's> {
     }
 
     fn text(&self, edge: u32) -> &str {
-        self.event(edge).map_or("yield", |event| &event.text)
+        self.solved.explored.text(edge as usize)
     }
 
     fn events<'b>(&'b self, edges: &'b [u32]) -> impl DoubleEndedIterator<Item = &'b Event> {
@@ -174,14 +174,15 @@ impl<'s> Basis<'_, 's> {
         {
             answers.push(Phrase::of_message(self.spec(), key.scenario, message));
         }
-        for phrase in self.awaited(self.play).into_iter().chain(pool).chain(self.happenings()) {
-            if !self.events(self.cycle).any(|event| phrase.matches(self.spec(), event)) {
-                add(&mut answers, phrase);
-            }
+        let comes = |phrase: &Phrase| self.events(self.cycle).any(|event| phrase.matches(self.spec(), event));
+        for mut phrases in [self.awaited(self.play), pool, self.happenings()] {
+            phrases.retain(|phrase| !comes(phrase));
+            add_all(&mut answers, phrases);
         }
         answers.retain(|answer| answer.by_environment);
         let pairs = answers.iter().flat_map(|answer| causes.iter().map(move |cause| (cause, answer)));
-        pairs.filter_map(|(cause, answer)| Candidate::new(cause, answer, None)).collect()
+        let candidates = pairs.filter_map(|(cause, answer)| Candidate::new(cause, answer, None));
+        candidates.take(MOST_REPLAYED).collect()
     }
 
     /// What the environment repeats in the loop comes once, until something else happens.
@@ -215,9 +216,7 @@ impl<'s> Basis<'_, 's> {
     ) -> Vec<Candidate> {
         let awaited = self.awaited(play);
         let mut ends = self.phrases(false);
-        for phrase in self.happenings() {
-            add(&mut ends, phrase);
-        }
+        add_all(&mut ends, self.happenings());
         let mut candidates = Vec::new();
         for event in events.iter().filter(|event| event.by_environment) {
             for cause in causes(event) {
@@ -226,7 +225,8 @@ impl<'s> Basis<'_, 's> {
                 let rotated = ends[behind..].iter().chain(&ends[..behind]);
                 let ends = awaited.iter().chain(rotated.filter(|end| !awaited.contains(end)));
                 let ends = ends.filter(|&end| end != event);
-                candidates.extend(ends.filter_map(|end| Candidate::new(&cause, end, Some(event))));
+                let more = ends.filter_map(|end| Candidate::new(&cause, end, Some(event)));
+                candidates.extend(more.take(MOST_REPLAYED - candidates.len()));
             }
         }
         candidates
@@ -253,8 +253,18 @@ impl<'s> Basis<'_, 's> {
             let mut open = replay.open().into_iter();
             open.any(|key| replay.playout.key(key).scenario + 1 == spec.scenarios.len())
         };
-        owes(&replay)
-            && self.cycle.iter().all(|&edge| replay.follow(self.text(edge)).is_none() || owes(&replay))
+        if !owes(&replay) {
+            return false;
+        }
+        for &edge in self.cycle {
+            if replay.follow(self.text(edge)).is_none() {
+                return true;
+            }
+            if !owes(&replay) {
+                return false;
+            }
+        }
+        true
     }
 
     /// Whether the specification with the assumption is as it should be.
@@ -324,6 +334,12 @@ fn add(phrases: &mut Vec<Phrase>, phrase: Phrase) {
     if !phrases.contains(&phrase) {
         phrases.push(phrase);
     }
+}
+
+/// Adds what is not there yet; `more` has no duplicates of its own.
+fn add_all(phrases: &mut Vec<Phrase>, mut more: Vec<Phrase>) {
+    more.retain(|phrase| !phrases.contains(phrase));
+    phrases.append(&mut more);
 }
 
 impl Phrase {

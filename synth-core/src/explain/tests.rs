@@ -1,32 +1,14 @@
 use super::*;
-use crate::pipeline::{Failure, Options, Timings, play_and_solve, specification, synthesize};
-use crate::syntax::load;
-
-/// A controller and its surroundings; `BODY` is a collaboration's.
-const WORLD: &str = "specification World {
-  domain d {
-    class User { }
-    class Control { press() release() tick() }
-    class Lamp { on() off() blink() }
-  }
-  object user: User
-  object control: Control
-  object lamp: Lamp
-  controllable { Control }
-  collaboration C {
-BODY
-  }
-}";
+use crate::pipeline::{Failure, Options, Timings, play_and_solve, synthesize};
+use crate::testing::{spec, world};
 
 /// The explanation, one line for each part that says something.
 fn explained(body: &str) -> String {
-    let text = WORLD.replace("BODY", body);
-    let loaded = load("world.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
-    let spec = specification(&loaded).expect("a specification");
+    let spec = spec(&world(body));
     let mut timings = Timings::default();
     let options = Options::default();
     let mut solved = play_and_solve(&spec, &options, &mut timings).expect("a game");
-    let explanation = explain(&solved);
+    let explanation = explain(&solved, &Limits::default());
     match synthesize(&mut solved, &options, &mut timings) {
         Ok(_) => assert_eq!(explanation, None),
         Err(Failure::Unrealizable(unrealizable)) => {
@@ -50,7 +32,7 @@ fn explained(body: &str) -> String {
     if let Some(Starved { scenario, fragment }) = starved {
         lines.push(format!(
             "starved {scenario} {}",
-            text.lines().nth(fragment.start.line as usize - 1).unwrap()
+            world(body).lines().nth(fragment.start.line as usize - 1).unwrap()
         ));
     }
     lines.extend(
@@ -211,11 +193,9 @@ fn a_goal_that_needs_the_other_guarantee_violated_is_in_conflict() {
 /// The texts that are suggested.
 #[track_caller]
 fn check_suggestions(body: &str, expect: &[&str]) {
-    let text = WORLD.replace("BODY", body);
-    let loaded = load("world.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
-    let spec = specification(&loaded).expect("a specification");
+    let spec = spec(&world(body));
     let solved = play_and_solve(&spec, &Options::default(), &mut Timings::default()).expect("a game");
-    let suggestions = explain(&solved).expect("an explanation").suggestions;
+    let suggestions = explain(&solved, &Limits::default()).expect("an explanation").suggestions;
     let flat = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert_eq!(suggestions.iter().map(|one| flat(&one.text)).collect::<Vec<_>>(), expect);
 }
@@ -255,4 +235,21 @@ fn nothing_is_suggested_against_a_super_step_without_end() {
         "guarantee scenario G { user -> control.press() while { urgent control -> lamp.on() } }",
         &[],
     );
+}
+
+#[test]
+fn limits_hold_for_explanations_too() {
+    let spec = spec(&world(
+        "guarantee scenario G { user -> control.press() urgent control -> lamp.on() }
+         guarantee scenario H { user -> control.press() monitored eventually user -> control.release() }",
+    ));
+    let solved = play_and_solve(&spec, &Options::default(), &mut Timings::default()).expect("a game");
+    let of = |limits: Limits| {
+        let Explanation { scenarios, is_minimal, suggestions, .. } =
+            explain(&solved, &limits).expect("an explanation");
+        (scenarios.len(), is_minimal, suggestions.len())
+    };
+    assert_eq!(of(Limits::default()), (1, true, 1));
+    assert_eq!(of(Limits { states: 0, ..Limits::default() }), (2, false, 0));
+    assert_eq!(of(Limits { memory: 0, ..Limits::default() }), (2, false, 0));
 }

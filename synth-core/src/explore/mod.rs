@@ -12,10 +12,23 @@ pub use json::write_json;
 pub use store::{StateId, StateStore};
 
 use crate::diagnostic::counted;
-use crate::game::{Game, KeySets, KeySetsBuilder, Turn, YIELD};
+use crate::game::{Game, KeySets, KeySetsBuilder, ShortestPaths, Turn, YIELD};
 use crate::model::{Kind, Spec};
 use crate::playout::{Config, EventId, KeyId, Move, Moves, PlayError, Playout, Semantics};
 use std::fmt;
+
+impl Explored<'_> {
+    /// The text of an edge of the game.
+    #[must_use]
+    pub fn text(&self, edge: usize) -> &str {
+        self.playout.text(event_of(self.game.label[edge]))
+    }
+}
+
+/// The event of a label, none for a yield.
+fn event_of(label: u32) -> Option<EventId> {
+    (label != YIELD).then_some(label)
+}
 
 /// When to stop.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -229,29 +242,9 @@ impl Explorer<'_, '_> {
     /// The shortest play to a state, and then the event that met a mistake there.
     fn play_to(&self, state: StateId, event: Option<EventId>) -> Vec<String> {
         let Graph { first, label, target, .. } = &self.graph;
-        // States are numbered breadth first, so the first edge into a state lies on a shortest play.
-        let mut into: Vec<Option<(StateId, u32)>> = vec![None; self.store.len()];
-        for source in 0..first.len() - 1 {
-            for edge in first[source] as usize..first[source + 1] as usize {
-                if let Some(entry @ None) = into.get_mut(target[edge] as usize) {
-                    *entry = Some((source as StateId, label[edge]));
-                }
-            }
-        }
-        let mut labels: Vec<u32> = event.into_iter().collect();
-        let mut here = state;
-        while here != 0
-            && let Some((source, label)) = into[here as usize]
-        {
-            labels.push(label);
-            here = source;
-        }
-        labels.reverse();
-        labels.into_iter().map(|label| self.text(label)).collect()
-    }
-
-    fn text(&self, label: u32) -> String {
-        if label == YIELD { "yield".to_owned() } else { self.playout.event(label).text.clone() }
+        let path = ShortestPaths::new(self.store.len(), first, target).to(state);
+        let labels = path.into_iter().map(|edge| label[edge]).chain(event);
+        labels.map(|label| self.playout.text(event_of(label)).to_owned()).collect()
     }
 
     fn finish(self) -> (StateStore, Game) {

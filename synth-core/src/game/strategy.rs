@@ -1,6 +1,6 @@
 //! A winning strategy as a graph.
 
-use super::Game;
+use super::{Game, ShortestPaths};
 
 /// A deterministic strategy with memory, as the graph of its plays.
 ///
@@ -48,16 +48,7 @@ impl Strategy {
     /// The edges of a shortest play to `node`.
     #[must_use]
     pub fn play_to(&self, node: u32) -> Vec<usize> {
-        let mut play = Vec::new();
-        let mut here = node;
-        while here != 0 {
-            // Nodes are numbered breadth first, so the first edge into a node lies on a shortest play.
-            let Some(edge) = self.target.iter().position(|&target| target == here) else { break };
-            play.push(edge);
-            here = self.first.partition_point(|&first| first as usize <= edge) as u32 - 1;
-        }
-        play.reverse();
-        play
+        ShortestPaths::new(self.nodes(), &self.first, &self.target).to(node)
     }
 
     /// The edges that leave `node`.

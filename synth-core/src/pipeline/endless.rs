@@ -3,7 +3,7 @@
 use crate::controller::EndlessSuperStep;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::explore::Explored;
-use crate::game::{Strategy, YIELD};
+use crate::game::Strategy;
 use crate::syntax::{FileId, Pos, Span};
 
 /// Says that the system wins only by a super step that never ends.
@@ -14,12 +14,7 @@ pub(super) fn diagnostic(
 ) -> Diagnostic {
     let Explored { playout, game, .. } = explored;
     let texts = |edges: &[usize]| -> String {
-        let labels = edges.iter().map(|&edge| game.label[strategy.edge[edge] as usize]);
-        let texts = labels.map(|label| match label {
-            YIELD => "\n  yield".to_owned(),
-            event => format!("\n  {}", playout.event(event).text),
-        });
-        texts.collect()
+        edges.iter().map(|&edge| format!("\n  {}", explored.text(strategy.edge[edge] as usize))).collect()
     };
     let play = strategy.play_to(endless.node);
     let (mut node, mut cycle) = (endless.node, Vec::new());

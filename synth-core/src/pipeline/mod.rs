@@ -13,7 +13,7 @@ pub use origin::{alphabet, provenance};
 use crate::controller::tables::Tables;
 use crate::controller::{Controller, EndlessSuperStep, Level, merge, minimize};
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::explain::explain_within;
+use crate::explain::explain;
 use crate::explore::{Explored, Limits, explore};
 use crate::game::{Game, Solution, Strategy, extract, solve, solve_ending};
 use crate::model::{Spec, resolve::resolve};
@@ -150,7 +150,7 @@ pub fn synthesize(
     timings: &mut Timings,
 ) -> Result<Verified, Failure> {
     if !solved.solution.wins(solved.explored.game.initial) {
-        return Err(unrealizable(solved, options.limits.states, timings));
+        return Err(unrealizable(solved, &options.limits, timings));
     }
     let Solved { explored, solution } = solved;
     let strategy = timings.stage("extract", || strategy(&explored.game, solution))?;
@@ -241,8 +241,8 @@ pub fn check(spec: &Spec, controller: &Controller, options: &Options) -> Result<
 }
 
 /// Explains that the specification is not realizable, and explores no more for that than was allowed for the game.
-fn unrealizable(solved: &Solved<'_>, states: usize, timings: &mut Timings) -> Failure {
-    match timings.stage("explain", || explain_within(solved, states)) {
+fn unrealizable(solved: &Solved<'_>, limits: &Limits, timings: &mut Timings) -> Failure {
+    match timings.stage("explain", || explain(solved, limits)) {
         Some(explanation) => {
             let (figures, diagnostic) = (solved.figures(), explanation.diagnostic());
             Failure::Unrealizable(Box::new(Unrealizable { figures, diagnostic, explanation }))

@@ -1,12 +1,12 @@
 //! Everything that the language reference says must be refused, with its place, before and during play-out.
 
 use super::*;
-use crate::syntax::load;
 use crate::syntax::tests::unmark;
+use crate::testing::loaded;
 
 /// What is wrong with the text before or during play-out.
 fn found(text: &str) -> Vec<Diagnostic> {
-    let loaded = load("x.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
+    let loaded = loaded(text);
     let run =
         || play_and_solve(&specification(&loaded)?, &Options::default(), &mut Timings::default()).map(drop);
     run().err().map(|failure| failure.diagnostics()).unwrap_or_default()

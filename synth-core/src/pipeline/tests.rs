@@ -1,27 +1,10 @@
 use super::*;
 use crate::diagnostic::Code;
-use crate::syntax::load;
-
-const WORLD: &str = "specification World {
-  domain d {
-    class User { }
-    class Control { press() release() }
-    class Lamp { on() off() }
-  }
-  object user: User
-  object control: Control
-  object lamp: Lamp
-  controllable { Control }
-  collaboration C {
-BODY
-  }
-}";
+use crate::testing::{loaded, spec, world};
 
 /// The super steps of the controller, or the code, the line and the notes of the mistake.
 fn synthesized(body: &str) -> String {
-    let text = WORLD.replace("BODY", body);
-    let loaded = load("world.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
-    let spec = specification(&loaded).expect("a specification");
+    let spec = spec(&world(body));
     let mut timings = Timings::default();
     let options = Options::default();
     let mut solved = play_and_solve(&spec, &options, &mut timings).expect("a game");
@@ -111,9 +94,7 @@ fn cases_without_fragments_count_as_nodes() {
     let scenario = |cases: usize| {
         let cases = "{ } or ".repeat(cases);
         let body = format!("guarantee scenario S {{ user -> control.press() alternative {cases} {{ }} }}");
-        let text = WORLD.replace("BODY", &body);
-        let loaded = load("world.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
-        specification(&loaded).err().map(|failure| failure.diagnostics())
+        specification(&loaded(&world(&body))).err().map(|failure| failure.diagnostics())
     };
     // Beside the cases: the scenario's body, the message, the `alternative`, and the last case.
     assert_eq!(scenario(65_532), None);
@@ -132,7 +113,7 @@ fn check_parameter(ty: &str, sections: &str, argument: &str, expect: Option<Code
            collaboration K {{ guarantee scenario G {{ e -> u.start() urgent c -> e.go({argument}) }} }}
          }}"
     );
-    let loaded = load("s.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
+    let loaded = loaded(&text);
     let run =
         || play_and_solve(&specification(&loaded)?, &Options::default(), &mut Timings::default()).map(drop);
     let code = run().err().map(|failure| failure.diagnostics()[0].code);
@@ -170,9 +151,7 @@ fn a_loop_that_comes_round_to_itself_is_a_mistake() {
                   var 0..=9 n = 0
                   while { wait [true] alternative [n < 9] { n = n + 1 } or [n == 9] { n = 3 } }
                 }";
-    let text = WORLD.replace("BODY", body);
-    let loaded = load("world.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
-    let spec = specification(&loaded).expect("a specification");
+    let spec = spec(&world(body));
     let failure = play_and_solve(&spec, &Options::default(), &mut Timings::default()).expect_err("a mistake");
     assert_eq!(failure.diagnostics()[0].code, Code::PlayOutLoop);
 }

@@ -79,7 +79,10 @@ impl Events {
     }
 
     pub(super) fn find_text(&self, text: &str) -> Option<EventId> {
-        self.events.iter().position(|event| event.text == text).map(|event| event as EventId)
+        let (universe, others) = self.events.split_at(self.universe as usize);
+        let in_universe = universe.binary_search_by(|event| event.text.as_str().cmp(text)).ok();
+        let elsewhere = || Some(universe.len() + others.iter().position(|event| event.text == text)?);
+        in_universe.or_else(elsewhere).map(|event| event as EventId)
     }
 
     /// The environment events that some scenario mentions, in the order of their texts.

@@ -159,10 +159,8 @@ pub fn turn_reason(turn: Turn, yielded: bool) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Spec;
-    use crate::pipeline::specification;
     use crate::playout::{Moves, Semantics};
-    use crate::syntax::load;
+    use crate::testing::spec;
 
     const WORLD: &str = "specification World {
   domain d {
@@ -178,17 +176,11 @@ BODY
   }
 }";
 
-    fn spec(body: &str) -> Spec {
-        let text = WORLD.replace("BODY", body);
-        let loaded = load("world.sml", text.as_bytes(), &mut |_| Err("no imports".to_owned()));
-        specification(&loaded).expect("a specification")
-    }
-
     /// What an event has to do with the scenarios, in the state after a play: one line each, with the source text of
     /// the place.
     #[track_caller]
     fn check(body: &str, play: &[&str], event: &str, expect: &str) {
-        let spec = spec(body);
+        let spec = spec(&WORLD.replace("BODY", body));
         let mut playout = Playout::new(&spec, Semantics::default()).expect("a play-out");
         let mut config = playout.initial().expect("an initial state");
         let mut moves = Moves::default();

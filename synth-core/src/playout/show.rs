@@ -1,6 +1,6 @@
 //! States and copies in words.
 
-use super::{Copy, CopyId, Playout, ValuationId};
+use super::{Copy, CopyId, EventId, Playout, ValuationId};
 use crate::model::{Scenario, Spec, Type, UNSET, Value};
 
 /// `Collaboration.Scenario[role=object,…]`, with the roles that are bound, by their names.
@@ -14,6 +14,12 @@ pub(crate) fn bound_name(spec: &Spec, scenario: &Scenario, roles: &[Value]) -> S
 }
 
 impl Playout<'_> {
+    /// The text of an event; that of none is `yield`.
+    #[must_use]
+    pub fn text(&self, event: Option<EventId>) -> &str {
+        event.map_or("yield", |event| &self.event(event).text)
+    }
+
     /// Copies in the order of the text: by scenario, binding, variables and cut, whatever was played before.
     #[must_use]
     pub fn in_text_order(&self, copies: &[CopyId]) -> Vec<CopyId> {

@@ -4,7 +4,6 @@ use super::events::EventId;
 use super::turn::Urgency;
 use super::{Config, Playout, Step};
 use crate::game::Turn;
-use crate::model::NodeId;
 
 /// An event of the system that is asked for when the turn is decided, and violates something.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -49,23 +48,5 @@ impl Playout<'_> {
                 found.push(Transgression { event, violated: std::mem::take(&mut step.violated) });
             }
         }
-    }
-
-    /// Scenario and fragment of the message that asks for an event of the system in `config`.
-    pub fn asking(&mut self, config: &Config, event: EventId) -> Option<(usize, NodeId)> {
-        let valuation = (config.valuation, self.valuations.get(config.valuation));
-        for &copy in &config.copies {
-            let offers = self.offers.of(self.spec, &mut self.events, &self.copies, copy, valuation);
-            if !offers.system.iter().any(|(_, wanted)| wanted.as_ref() == Ok(&event)) {
-                continue;
-            }
-            let copy = self.copies.get(copy);
-            let scenario = &self.spec.scenarios[copy.scenario];
-            let operation = self.events.get(event).operation;
-            let is_it = |node: &&NodeId| scenario.message(**node).is_some_and(|m| m.operation == operation);
-            let node = copy.cut.iter().find(is_it)?;
-            return Some((copy.scenario, *node));
-        }
-        None
     }
 }

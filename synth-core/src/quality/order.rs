@@ -11,7 +11,7 @@
 //! where the environment must go on with a certain event before anything else (turns 2 and 4), what is pending just
 //! waits: such a run counts as part of the event before.
 
-use super::plays::{note, text};
+use super::plays::note;
 use super::reads::{could_be, patterns};
 use crate::controller::{Controller, SuperStep};
 use crate::diagnostic::{Code, Diagnostic};
@@ -88,8 +88,11 @@ fn search(system: &Controlled<'_>) -> (Vec<Found>, Vec<Difference>) {
             for &(second, _) in &accepted[index + 1..] {
                 let mut kinds = [first, second].map(|event| system.kind(event));
                 kinds.sort_unstable();
-                if pairs == MOST_PAIRS || known.contains(&kinds) {
+                if known.contains(&kinds) {
                     continue;
+                }
+                if pairs == MOST_PAIRS {
+                    return (places, differences);
                 }
                 pairs += 1;
                 if let Some(how) = system.compare(place, first, second, &mut told) {
@@ -157,6 +160,14 @@ impl<'a> Controlled<'a> {
         self.explored.game.turn[self.game_state(node) as usize]
     }
 
+    /// The edge of an event of the environment. Edges are in the order of their labels where it has the turn.
+    fn edge(&self, node: u32, label: u32) -> Option<usize> {
+        let edges = self.strategy.edges_of(node);
+        let label_of = |edge: &u32| self.explored.game.label[*edge as usize];
+        let found = self.strategy.edge[edges.clone()].binary_search_by_key(&label, label_of).ok()?;
+        Some(edges.start + found)
+    }
+
     /// Does what the system does until it waits for events.
     fn settle(&self, mut place: Place, commands: &mut Vec<u32>) -> Place {
         // Super steps of a controller that can be made end.
@@ -177,9 +188,7 @@ impl<'a> Controlled<'a> {
         let accepted = &self.accepted[place.state as usize];
         let row = accepted.binary_search_by_key(&event, |row| row.0).ok()?;
         let label = self.label[event as usize]?;
-        let labels = &self.explored.game.label;
-        let mut edges = self.strategy.edges_of(place.node);
-        let edge = edges.find(|&edge| labels[self.strategy.edge[edge] as usize] == label)?;
+        let edge = self.edge(place.node, label)?;
         let target = Place { state: accepted[row].1, node: self.strategy.target[edge] };
         Some(self.settle(target, commands))
     }
@@ -253,17 +262,14 @@ impl<'a> Controlled<'a> {
         let mut play = Vec::new();
         let mut node = 0;
         loop {
-            let labels = &self.explored.game.label;
-            let label = |edge: usize| labels[self.strategy.edge[edge] as usize];
-            let mut edges = self.strategy.edges_of(node);
             let edge = if self.turn(node).is_system() {
-                edges.next()
+                self.strategy.edges_of(node).next()
             } else {
                 let event = events.pop().and_then(|event| self.label[event as usize]);
-                event.and_then(|event| edges.find(|&edge| label(edge) == event))
+                event.and_then(|event| self.edge(node, event))
             };
             let Some(edge) = edge else { return play };
-            play.push(text(&self.explored.playout, label(edge)));
+            play.push(self.explored.text(self.strategy.edge[edge] as usize).to_owned());
             node = self.strategy.target[edge];
         }
     }

@@ -1,15 +1,13 @@
 //! Events that guarantees ask for and that violate something: assumptions that the system can break (well-separation),
 //! and messages with `bind` that catch more than the value that they bind.
 
-use super::plays::{Plays, note};
+use super::plays::{note, play_to};
 use super::reads::{patterns, players};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::explore::Explored;
 use crate::game::Turn;
-use crate::model::{Argument, ConstraintKind, Kind, NodeId, NodeKind, Scenario, Spec, UNSET};
+use crate::model::{Argument, Kind, NodeId, NodeKind, Scenario, Spec, UNSET};
 use crate::playout::{Config, Copy, EventId, Playout, Step, Transgression};
-use crate::syntax::Span;
-use std::cell::OnceCell;
 use std::collections::BTreeSet;
 
 /// Looks at every state of the game.
@@ -18,7 +16,6 @@ pub(super) fn breaches(explored: &mut Explored<'_>) -> Vec<Diagnostic> {
     let mut search = Search {
         breakable: indices(spec, |scenario| scenario.kind == Kind::Assumption && can_break(spec, scenario)),
         binding: indices(spec, |scenario| scenario.kind != Kind::Existential && binds(scenario)),
-        plays: OnceCell::new(),
         warnings: Vec::new(),
     };
     if search.breakable.is_empty() && search.binding.is_empty() {
@@ -75,7 +72,6 @@ struct Search {
     breakable: BTreeSet<usize>,
     /// Scenarios with a `bind` that was not seen to catch too much yet.
     binding: BTreeSet<usize>,
-    plays: OnceCell<Plays>,
     warnings: Vec<Diagnostic>,
 }
 
@@ -104,8 +100,7 @@ impl Search {
     }
 
     fn warn(&mut self, explored: &Explored<'_>, state: u32, event: EventId, warning: Diagnostic) {
-        let plays = self.plays.get_or_init(|| Plays::of(&explored.game));
-        self.warnings.push(warning.note(note(&plays.to(explored, state, Some(event)))));
+        self.warnings.push(warning.note(note(&play_to(explored, state, event))));
     }
 }
 
@@ -113,17 +108,16 @@ impl Search {
 fn broken(playout: &mut Playout<'_>, config: &Config, event: EventId, index: usize) -> Diagnostic {
     let spec = playout.spec();
     let scenario = &spec.scenarios[index];
-    let asking = playout.asking(config, event);
+    let reasons = playout.reasons(config, event);
     let text = &playout.event(event).text;
     let message = format!("an event of the system can violate assumption `{}`", scenario.name);
     let mut warning = Diagnostic::warning(Code::SystemBreaksAssumption, scenario.span, message)
         .label(format!("`{text}` would violate this"));
-    if let Some(span) = violated_at(playout, config, event, index) {
-        warning = warning.also(span, "the assumption has come to this place then");
+    if let Some(objection) = reasons.objections.iter().find(|objection| objection.scenario == index) {
+        warning = warning.also(objection.ground.span(), objection.ground.describe());
     }
-    if let Some((asking, node)) = asking {
-        warning = warning
-            .also(spec.scenarios[asking].nodes[usize::from(node)].span, "a guarantee asks for it here");
+    if let Some(stake) = reasons.wanted_by.first() {
+        warning = warning.also(stake.span, "a guarantee asks for it here");
     }
     let consequence = if playout.semantics().classic {
         "with `--classic` the system may do this, and wins by it"
@@ -133,20 +127,6 @@ fn broken(playout: &mut Playout<'_>, config: &Config, event: EventId, index: usi
     warning
         .note(consequence)
         .help("let the guarantee wait until the assumption is over, or forbid the event in a guarantee")
-}
-
-/// The place at which a copy of the scenario stands when the event violates it.
-fn violated_at(playout: &Playout<'_>, config: &Config, event: EventId, index: usize) -> Option<Span> {
-    let scenario = &playout.spec().scenarios[index];
-    let operation = playout.event(event).operation;
-    copies(playout, config, index).find_map(|copy| {
-        let strict = copy.cut.iter().find(|&&node| is_strict(scenario, node));
-        let forbids = |kind| matches!(kind, ConstraintKind::Forbidden | ConstraintKind::Consider);
-        let mut constraints = scenario.constraints();
-        let constraint = constraints.find(|c| forbids(c.kind) && c.message.operation == operation);
-        let constraint = constraint.map(|constraint| constraint.message.span);
-        constraint.or(strict.map(|&node| scenario.nodes[usize::from(node)].span))
-    })
 }
 
 fn copies<'a>(

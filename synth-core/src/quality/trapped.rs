@@ -1,6 +1,6 @@
 //! A controller that leaves its environment no way to keep its assumptions.
 
-use super::plays::{note, text};
+use super::plays::note;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::explore::Explored;
 use crate::game::{Strategy, trapped};
@@ -28,10 +28,7 @@ pub(super) fn environment(explored: &mut Explored<'_>, strategy: &Strategy) -> O
     let play: Vec<String> = strategy
         .play_to(node)
         .into_iter()
-        .map(|edge| strategy.edge[edge])
-        .collect::<Vec<_>>()
-        .into_iter()
-        .map(|edge| text(&explored.playout, game.label[edge as usize]))
+        .map(|edge| explored.text(strategy.edge[edge] as usize).to_owned())
         .collect();
     let spec = explored.playout.spec();
     let key = explored.playout.key(key).clone();

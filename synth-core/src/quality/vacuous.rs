@@ -22,23 +22,24 @@ pub(super) fn guarantees(
         guarantees.filter(|(_, scenario)| scenario.kind == Kind::Guarantee && !is_known(scenario));
     let mut open: Vec<usize> = guarantees.map(|(index, _)| index).collect();
     let started = exercise(explored, strategy, &mut open);
+    let happening = happening(explored, strategy);
+    let happens = |scenario: &Scenario| {
+        happening.ones().any(|event| could_start(spec, scenario, explored.playout.event(event as u32)))
+    };
     let warnings = open.into_iter().filter_map(|index| {
         let scenario = &spec.scenarios[index];
-        let never_starts = !started.contains(index) && !happens(explored, strategy, scenario);
+        let never_starts = !started.contains(index) && !happens(scenario);
         // One that may have started and ended at once shows no copy.
         let ends_unseen = !never_starts && (!started.contains(index) || has_violation(scenario));
         if ends_unseen || !never_starts && !demands_anything(scenario) {
             return None;
         }
-        let (message, label) = if never_starts {
-            ("is never exercised in the controlled system", "no play of the controller starts it")
+        let label = if never_starts {
+            "no play of the controller starts it"
         } else {
-            (
-                "is never exercised in the controlled system",
-                "it starts, but never comes to a place where it asks for something or forbids it",
-            )
+            "it starts, but never comes to a place where it asks for something or forbids it"
         };
-        let message = format!("guarantee `{}` {message}", scenario.name);
+        let message = format!("guarantee `{}` is never exercised in the controlled system", scenario.name);
         Some(Diagnostic::warning(Code::Vacuous, scenario.span, message).label(label).help(
             "see whether its messages are the ones that were meant, and what keeps them from happening",
         ))
@@ -112,12 +113,11 @@ pub(super) fn has_violation(scenario: &Scenario) -> bool {
     scenario.nodes.iter().any(|node| matches!(node.kind, NodeKind::Violation(_)))
 }
 
-/// Whether an event with which it could start happens in some play of the strategy.
-fn happens(explored: &Explored<'_>, strategy: &Strategy, scenario: &Scenario) -> bool {
+/// The events that happen in some play of the strategy.
+fn happening(explored: &Explored<'_>, strategy: &Strategy) -> FixedBitSet {
     let Explored { playout, game, .. } = explored;
-    let mut labels: Vec<u32> = strategy.edge.iter().map(|&edge| game.label[edge as usize]).collect();
-    labels.sort_unstable();
-    labels.dedup();
-    let mut events = labels.into_iter().filter(|&label| label != YIELD);
-    events.any(|event| could_start(playout.spec(), scenario, playout.event(event)))
+    let mut happening = FixedBitSet::with_capacity(playout.event_count());
+    let labels = strategy.edge.iter().map(|&edge| game.label[edge as usize]);
+    labels.filter(|&label| label != YIELD).for_each(|event| happening.insert(event as usize));
+    happening
 }

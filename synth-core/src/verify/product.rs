@@ -221,7 +221,7 @@ impl<'a> Product<'a> {
         let mut play = Vec::new();
         let mut here = id;
         while let Some((parent, event)) = self.parent[here as usize] {
-            play.push(self.text(event));
+            play.push(self.playout.text(event).to_owned());
             here = parent;
         }
         play.reverse();
@@ -229,22 +229,18 @@ impl<'a> Product<'a> {
     }
 
     pub(super) fn edge_text(&self, edge: &Edge) -> String {
-        self.text(edge.event)
-    }
-
-    fn text(&self, event: Option<EventId>) -> String {
-        event.map_or_else(|| "yield".to_owned(), |event| self.playout.event(event).text.clone())
+        self.playout.text(edge.event).to_owned()
     }
 
     fn refuted(&self, id: u32, last: Option<EventId>, reason: String) -> VerifyError {
         let mut play = self.play(id);
-        play.extend(last.map(|event| self.text(Some(event))));
+        play.extend(last.map(|event| self.playout.text(Some(event)).to_owned()));
         VerifyError::Refuted(Refutation { reason, play, cycle: Vec::new() })
     }
 
     fn broken(&self, id: u32, event: Option<EventId>, mistake: PlayError) -> VerifyError {
         let mut play = self.play(id);
-        play.extend(event.map(|event| self.text(Some(event))));
+        play.extend(event.map(|event| self.playout.text(Some(event)).to_owned()));
         VerifyError::Play(mistake, play)
     }
 

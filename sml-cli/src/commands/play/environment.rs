@@ -2,7 +2,7 @@
 
 use super::player::Player;
 use std::collections::BTreeMap;
-use synth_core::game::{CounterStrategy, Loss, Standing, YIELD};
+use synth_core::game::{CounterStrategy, Loss, Standing};
 use synth_core::pipeline::Solved;
 use synth_core::syntax::Sources;
 
@@ -42,7 +42,7 @@ impl<'a> Adversary<'a> {
     /// An event happened, or a yield, whoever chose it.
     pub(super) fn see(&mut self, text: &str) {
         let game = &self.solved.explored.game;
-        let edge = game.edges_of(self.at.state).find(|&edge| self.text(edge) == text);
+        let edge = game.edges_of(self.at.state).find(|&edge| self.solved.explored.text(edge) == text);
         if let Some(edge) = edge {
             self.at = self.strategy.follow(self.at, edge as u32);
         }
@@ -61,16 +61,9 @@ impl<'a> Adversary<'a> {
             return Answer::Waits;
         }
         match (self.strategy.choose(self.at), starved) {
-            (Some(edge), _) => Answer::Event(self.text(edge as usize).to_owned()),
+            (Some(edge), _) => Answer::Event(self.solved.explored.text(edge as usize).to_owned()),
             (None, Some(loss)) => Answer::Starves(loss, None),
             (None, None) => Answer::Waits,
-        }
-    }
-
-    fn text(&self, edge: usize) -> &str {
-        match self.solved.explored.game.label[edge] {
-            YIELD => "yield",
-            event => &self.solved.explored.playout.event(event).text,
         }
     }
 

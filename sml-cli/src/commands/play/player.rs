@@ -132,7 +132,7 @@ impl<'s> Player<'s> {
 
     /// The events that can happen now, in order, `yield` last.
     pub(super) fn enabled(&self) -> Vec<&str> {
-        self.moves.moves.iter().map(|one| self.text(one.event)).collect()
+        self.moves.moves.iter().map(|one| self.playout.text(one.event)).collect()
     }
 
     /// `object.attribute` and value of every attribute.
@@ -153,14 +153,14 @@ impl<'s> Player<'s> {
     /// Lets an event happen; spaces do not count.
     pub(super) fn play(&mut self, text: &str) -> Result<Happened, Trouble> {
         let wanted = squeezed(text);
-        let found = self.moves.moves.iter().find(|one| squeezed(self.text(one.event)) == wanted);
+        let found = self.moves.moves.iter().find(|one| squeezed(self.playout.text(one.event)) == wanted);
         let Some(one) = found.cloned() else { return Err(Trouble::NotExecutable(self.why_not())) };
         let breaches = one.event.map_or(Vec::new(), |event| self.breaches(event));
         let mut violated: Vec<String> = breaches.iter().map(|(scenario, _)| scenario.clone()).collect();
         violated.sort_unstable();
         violated.dedup();
         let mut happened = Happened {
-            event: self.text(one.event).to_owned(),
+            event: self.playout.text(one.event).to_owned(),
             turn: if self.moves.turn.is_system() { Side::System } else { Side::Environment },
             violated,
             breaches: breaches.into_iter().map(|(_, mention)| mention).collect(),
@@ -209,7 +209,7 @@ impl<'s> Player<'s> {
 
     fn choice(&mut self, event: Option<EventId>) -> Choice {
         let mut choice = Choice {
-            event: self.text(event).to_owned(),
+            event: self.playout.text(event).to_owned(),
             enabled: self.moves.moves.iter().any(|one| one.event == event),
             wanted_by: Vec::new(),
             awaited_by: Vec::new(),
@@ -277,10 +277,6 @@ impl<'s> Player<'s> {
         let breach =
             |one: Objection| (scenarios[one.scenario].name.clone(), Mention::of(&self.playout, &one));
         reasons.objections.into_iter().map(breach).collect()
-    }
-
-    fn text(&self, event: Option<EventId>) -> &str {
-        event.map_or("yield", |event| &self.playout.event(event).text)
     }
 }
 

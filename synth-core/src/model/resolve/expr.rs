@@ -211,11 +211,10 @@ impl Resolver {
         let (first, second) = if literal_first { (right, left) } else { (left, right) };
         let told = self.diagnostics.len();
         let Some((a, first_ty)) = self.expr(first, None, names) else {
-            // The other side may have a mistake of its own; a literal just has no enum now, and any name may be a
-            // literal of a type that is unknown itself.
-            let is_of_unknown_type = self.diagnostics.len() == told;
-            let is_name = matches!(&second.kind, ast::ExprKind::Path(path) if path.names.len() == 1);
-            if !self.may_be_literal(second, names) && !(is_name && is_of_unknown_type) {
+            // The other side may have a mistake of its own; a literal just has no enum now, and where that enum is the
+            // mistake, no name is known to be a literal.
+            let has_no_enum = self.diagnostics.len() == told && single_name(second).is_some();
+            if !has_no_enum && !self.may_be_literal(second, names) {
                 self.expr(second, None, names);
             }
             return None;
@@ -237,9 +236,7 @@ impl Resolver {
     }
 
     fn may_be_literal(&self, expr: &ast::Expr, names: &Names) -> bool {
-        let ast::ExprKind::Path(path) = &expr.kind else { return false };
-        let [name] = path.names.as_slice() else { return false };
-        let text = &name.text;
+        let Some(text) = single_name(expr) else { return false };
         let is_parameter = names.event.as_ref().is_some_and(|(.., parameters)| {
             text == "sender" || text == "receiver" || parameters.iter().any(|(n, _)| n == text)
         });
@@ -346,6 +343,14 @@ impl Resolver {
         }
         self.unknown("name", name, known.iter().map(String::as_str));
         None
+    }
+}
+
+/// The expression, if it is a name and nothing more.
+fn single_name(expr: &ast::Expr) -> Option<&String> {
+    match &expr.kind {
+        ast::ExprKind::Path(ast::Path { names, .. }) if names.len() == 1 => Some(&names[0].text),
+        _ => None,
     }
 }
 
