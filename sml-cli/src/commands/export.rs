@@ -1,7 +1,9 @@
 //! `sml export`: the controller in the language of a target.
 
+mod figures;
+
 use crate::failure::{Exit, Failure, nowhere};
-use crate::options::Minimize;
+use crate::options::{Format, Minimize};
 use crate::session::Session;
 use crate::warnings::{self, Warnings};
 use crate::{input, output};
@@ -140,12 +142,18 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let warnings = session.warnings_beside(&loaded, &mut solved, &policy)?;
     warnings::show(warnings, &policy, &loaded, session)?;
     let tables = Tables::new(&spec.name, &controller, provenance(&loaded, &spec));
+    let options = arguments.text.options(arguments.target);
     let text = session
-        .stage("emit", || write(&tables, &controller, &arguments.text.options(arguments.target)))
+        .stage("emit", || write(&tables, &controller, &options))
         .map_err(|why| Failure::new(Exit::Wrong, nowhere(Code::Unfit, why)))?;
     match &arguments.output {
         Some(path) if arguments.check => compare(path, &text, arguments)?,
         path => output::product(path.as_deref(), &text)?,
+    }
+    if session.format() == Format::Json
+        && arguments.output.as_deref().is_some_and(|path| path.as_os_str() != "-")
+    {
+        output::print(&figures::json(arguments.target, &text, &tables, &options))?;
     }
     Ok(Exit::Done)
 }
