@@ -72,7 +72,7 @@ fn deterministic() {
 }
 
 /// The whole text for every target, as it stands in `snapshots`; the line with the version is left out.
-/// `UPDATE_SNAPSHOTS=1` writes them anew.
+/// `SML_BLESS=1` writes them anew.
 #[test]
 fn snapshots() {
     for target in Target::ALL {
@@ -81,7 +81,7 @@ fn snapshots() {
         let found = lines.join("\n") + "\n";
         let path =
             format!("{}/tests/structured_text/snapshots/{}.st", env!("CARGO_MANIFEST_DIR"), target.name());
-        if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
+        if std::env::var_os("SML_BLESS").is_some() {
             std::fs::write(&path, &found).expect("the snapshot can be written");
         }
         let expected = std::fs::read_to_string(&path).expect("the snapshot exists");

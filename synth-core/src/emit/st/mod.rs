@@ -2,8 +2,11 @@
 //!
 //! The text is a library of its own: a `TYPE` for the set of pending events, a `FUNCTION_BLOCK` that holds the
 //! tables and does one cycle a call, a `PROGRAM` that passes its inputs and outputs through, and a `CONFIGURATION`
-//! that runs it every 10 ms. It keeps to the second edition of the standard, which the strict compilers check:
-//! every array that is assigned has a named type, no `//` comments, no pointers, no mixed integer types.
+//! that runs it every 10 ms.
+//!
+//! Where a [`Target`] has no special needs, it keeps to the second edition of the standard, which the strict compilers
+//! check: every array that is assigned has a named type, no `//` comments, no pointers, no mixed integer types. What
+//! sets targets apart is in `dialect`: words, the layout of transitions (`layout`), and the frame around blocks.
 //!
 //! # What a call does
 //!
