@@ -7,9 +7,9 @@ use sml_tests::tables::{self, Random, Size};
 use sml_tests::{corpus, fast};
 use st_evaluator::{Dialect, Instance, Unit};
 use synth_core::controller::cycle::Machine;
-use synth_core::controller::tables::{Provenance, Tables};
+use synth_core::controller::tables::{Mapping, Provenance, Tables};
 use synth_core::controller::{Component, Controller, SuperStep};
-use synth_core::emit::st::{self, Integers, NameMap, Options, Target, Trigger, Unexpected};
+use synth_core::emit::st::{self, Cost, Integers, NameMap, Options, Target, Trigger, Unexpected};
 use synth_core::pipeline::{Timings, synthesize};
 
 const CALLS: usize = 1000;
@@ -169,6 +169,8 @@ impl<'a> Model<'a> {
 struct Running<'u> {
     names: NameMap,
     instance: Instance<'u>,
+    /// What no call may exceed.
+    bound: Cost,
 }
 
 impl Running<'_> {
@@ -181,6 +183,8 @@ impl Running<'_> {
         }
         let stats = block.call().expect("it runs");
         assert_eq!(stats.wrapped, 0, "integers are wide enough");
+        assert!(stats.statements <= self.bound.statements, "{stats:?}, {:?}", self.bound);
+        assert!(stats.iterations <= self.bound.iterations, "{stats:?}, {:?}", self.bound);
         for ((_, name), value) in self.names.events.iter().zip(&inputs.events) {
             assert_eq!(block.bool(name), Ok(*value), "inputs are not written");
         }
@@ -216,7 +220,10 @@ fn inputs(reference: &Reference<'_>, previous: &[bool], random: &mut Random) -> 
 /// Whose Structured Text a target's is.
 fn dialect(target: Target) -> Dialect {
     match target {
-        Target::Iec => Dialect::Edition2,
+        Target::Iec | Target::Case => Dialect::Edition2,
+        Target::Codesys => Dialect::Codesys,
+        Target::Twincat => Dialect::TwinCat,
+        Target::Siemens => Dialect::Siemens,
     }
 }
 
@@ -234,7 +241,8 @@ fn difference(
         panic!("{}\n{text}", errors.join("\n"));
     });
     let instance = unit.instance(&names.function_block).expect("the function block is there");
-    let mut running = Running { names, instance };
+    let bound = st::bound(tables, &options).expect("it fits");
+    let mut running = Running { names, instance, bound };
     let mut model = Model::new(tables, controller, options);
     let random = &mut Random::new(0x5EED);
     for call in 0..calls {
@@ -256,7 +264,12 @@ fn check(name: &str, tables: &Tables, controller: &Controller, options: Options,
     assert_eq!(difference, None, "{name} with {options:?}");
 }
 
-/// All that the command line can ask for.
+/// The defaults for every target.
+fn all_targets() -> [Options; 5] {
+    Target::ALL.map(|target| Options { target, ..Options::default() })
+}
+
+/// All that the command line can ask for, beside the target.
 fn all_options() -> Vec<Options> {
     let mut all = Vec::new();
     for trigger in [Trigger::Edge, Trigger::Level] {
@@ -271,20 +284,30 @@ fn all_options() -> Vec<Options> {
     all
 }
 
+/// All that the command line can ask for.
+fn everything() -> Vec<Options> {
+    let with_all = |target| all_options().into_iter().map(move |options| Options { target, ..options });
+    Target::ALL.into_iter().flat_map(with_all).collect()
+}
+
 #[test]
 fn corpus() {
     for (name, controller) in corpus_controllers() {
         let tables = Tables::new(&name, &controller, Provenance::default());
-        check(&name, &tables, &controller, Options::default(), calls());
+        for options in all_targets() {
+            check(&name, &tables, &controller, options, calls());
+        }
     }
 }
 
+/// Every specification with every option, and the targets in turn.
 #[test]
 fn corpus_with_all_options() {
-    for (name, controller) in corpus_controllers() {
+    for (first, (name, controller)) in corpus_controllers().into_iter().enumerate() {
         let tables = Tables::new(&name, &controller, Provenance::default());
-        for options in all_options() {
-            check(&name, &tables, &controller, options, calls() / 20);
+        for (turn, options) in all_options().into_iter().enumerate() {
+            let target = Target::ALL[(first + turn) % Target::ALL.len()];
+            check(&name, &tables, &controller, Options { target, ..options }, calls() / 20);
         }
     }
 }
@@ -304,7 +327,9 @@ fn at_random() {
     for (seed, size) in (1..).zip(sizes) {
         let tables = tables::random("Random", size, seed);
         let controller = controller(&tables);
-        check(&format!("{size:?}"), &tables, &controller, Options::default(), calls());
+        for options in all_targets() {
+            check(&format!("{size:?}"), &tables, &controller, options, calls());
+        }
     }
 }
 
@@ -314,7 +339,7 @@ fn at_random_with_all_options() {
         let size = Size { states: 20, events: 5, rows: 40, components: 2 };
         let tables = tables::random("Random", size, 100 + seed);
         let controller = controller(&tables);
-        for options in all_options() {
+        for options in everything() {
             check(&format!("seed {seed}"), &tables, &controller, options, calls() / 4);
         }
     }
@@ -324,90 +349,197 @@ fn at_random_with_all_options() {
 fn made_by_hand() {
     for tables in [tables::cell(), tables::empty(), tables::inner(), tables::names()] {
         let controller = controller(&tables);
-        for options in all_options() {
+        for options in everything() {
             check(&tables.specification, &tables, &controller, options, calls() / 4);
         }
     }
 }
 
-/// The program passes everything through, and the configuration runs it.
+/// The program passes everything through, and the configuration runs it; in SCL, a block that has an instance.
 #[test]
 fn the_configuration_runs_the_program() {
     let tables = tables::cell();
-    let options = Options::default();
-    let text = st::text(&tables, &options).expect("it fits");
-    let names = st::names(&tables, &options);
-    let unit = Unit::parse(&text, Dialect::Edition2).expect("it compiles");
-    let mut configuration = unit.configuration().expect("there is one");
-    let mut block = unit.instance(&names.function_block).expect("it is there");
-    let random = &mut Random::new(7);
-    for _ in 0..200 {
-        for (_, input) in &names.events {
-            let value = random.below(3) == 0;
-            block.set(input, value).expect("an input");
-            configuration.set(&format!("Main0.{input}"), value).expect("an input");
-        }
-        block.call().expect("it runs");
-        configuration.call().expect("it runs");
-        let outputs = names.components.iter().map(|component| component.output.as_str());
-        for output in outputs.chain(["state_no", "pending", "unexpected", "overrun"]) {
-            assert_eq!(configuration.get(&format!("Main0.{output}")), block.get(output), "{output}");
+    for options in all_targets() {
+        let text = st::text(&tables, &options).expect("it fits");
+        let names = st::names(&tables, &options);
+        let unit = Unit::parse(&text, dialect(options.target)).expect("it compiles");
+        let (mut program, prefix) = match options.target {
+            Target::Siemens => (unit.instance(&names.program).expect("it is there"), ""),
+            _ => (unit.configuration().expect("there is one"), "Main0."),
+        };
+        let mut block = unit.instance(&names.function_block).expect("it is there");
+        let random = &mut Random::new(7);
+        for _ in 0..200 {
+            for (_, input) in &names.events {
+                let value = random.below(3) == 0;
+                block.set(input, value).expect("an input");
+                program.set(&format!("{prefix}{input}"), value).expect("an input");
+            }
+            block.call().expect("it runs");
+            program.call().expect("it runs");
+            let outputs = names.components.iter().map(|component| component.output.as_str());
+            for output in outputs.chain(["state_no", "pending", "unexpected", "overrun"]) {
+                assert_eq!(program.get(&format!("{prefix}{output}")), block.get(output), "{output}");
+            }
         }
     }
 }
 
-/// The text with each number of its tables replaced by another, one at a time.
-fn mutations(text: &str) -> Vec<String> {
-    let mut mutations = Vec::new();
-    let tables = text.match_indices(":= [").map(|(at, opening)| at + opening.len());
-    for table in tables {
-        let length = text[table..].find(']').expect("the table ends");
-        let mut start = table;
-        for number in text[table..table + length].split(',') {
-            let end = start + number.trim_end().len();
-            let digits = number.trim();
-            let other = u32::from(digits.parse::<u32>().expect("a number") == 0);
-            mutations.push(format!("{}{other}{}", &text[..end - digits.len()], &text[end..]));
-            start += number.len() + 1;
+/// An organization block of SCL calls the program's instance.
+#[test]
+fn the_organization_block_runs() {
+    let options = Options { target: Target::Siemens, ..Options::default() };
+    let text = st::text(&tables::cell(), &options).expect("it fits");
+    let unit = Unit::parse(&text, Dialect::Siemens).expect("it compiles");
+    let mut cyclic = unit.instance("Cyclic").expect("it is there");
+    assert!(cyclic.call().expect("it runs").calls >= 2);
+}
+
+/// Events that come in the order opposite to that of the tables, each with four rows, so that every round consumes one
+/// and every search takes its two halvings. In the end the last state waits for the first event.
+fn slowest(events: u32) -> Tables {
+    let mut tables = tables::cell();
+    let states = events + 4;
+    tables.states = states;
+    tables.initial = 0;
+    tables.owed = vec![Vec::new(); states as usize];
+    let last = tables.events[0].clone();
+    tables.events = (0..events)
+        .map(|event| {
+            let mut table = last.clone();
+            table.event = tables::event(&format!("sensor{event:02} -> ctl.seen()"));
+            let first = (events - 1 - event).min(events);
+            let source: Vec<u32> =
+                (0..4).map(|row| if row == 0 { first } else { events + row - 1 }).collect();
+            table.mapping = Mapping { target: source.iter().map(|&s| (s + 1).min(events)).collect(), source };
+            table
+        })
+        .collect();
+    tables.super_steps = Mapping::default();
+    for component in &mut tables.components {
+        component.codes.clear();
+    }
+    tables
+}
+
+/// The bound is no estimate: there are controllers that reach it.
+#[test]
+fn bounds_are_reached() {
+    let tables = slowest(7);
+    for options in all_targets() {
+        let text = st::text(&tables, &options).expect("it fits");
+        let names = st::names(&tables, &options);
+        let unit = Unit::parse(&text, dialect(options.target)).expect("it compiles");
+        let mut block = unit.instance(&names.function_block).expect("it is there");
+        for (_, input) in &names.events {
+            block.set(input, true).expect("an input");
         }
+        let stats = block.call().expect("it runs");
+        let bound = st::bound(&tables, &options).expect("it fits");
+        assert_eq!((stats.statements, stats.iterations), (bound.statements, bound.iterations), "{options:?}");
+    }
+}
+
+/// The text with each number that `is_entry` takes for one of the controller's replaced, one at a time.
+fn mutations(text: &str, is_entry: impl Fn(&str) -> bool) -> Vec<String> {
+    let mut mutations = Vec::new();
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        if is_entry(line.trim()) {
+            let mut at = 0;
+            for part in line.split_inclusive(|c: char| !c.is_ascii_alphanumeric() && c != '_') {
+                let digits = part.trim_end_matches(|c: char| !c.is_ascii_alphanumeric());
+                if let Ok(number) = digits.parse::<u32>() {
+                    let (from, other) = (start + at, u32::from(number == 0));
+                    mutations.push(format!("{}{other}{}", &text[..from], &text[from + digits.len()..]));
+                }
+                at += part.len();
+            }
+        }
+        start += line.len();
     }
     mutations
 }
 
-/// Faults of an emitter, each in one place of the text.
-fn faults(text: &str) -> Vec<(&'static str, String)> {
-    let replaced = |what: &'static str, from: &str, to: &str| {
-        assert!(text.contains(from), "{from}");
-        (what, text.replacen(from, to, 1))
-    };
-    vec![
-        replaced("a missing latch", "pending[3] := TRUE;", "pending[3] := FALSE;"),
-        replaced("an event that is not consumed", "pending[0] := FALSE;\n        changed", "changed"),
-        replaced("another event", "IF pending[2] THEN", "IF pending[0] THEN"),
-        replaced("no edge", " AND NOT previous[0]", ""),
-        replaced("no overrun", "overrun := overrun OR pending[0];", ";"),
-        replaced("a search that ends early", "first := middle + 1;", "first := middle; last := middle;"),
-        replaced("a command that stays", "arm_cmd := 0;", ";"),
-        replaced("a state that is not output", "state_no := USINT_TO_UDINT(state);", ";"),
-    ]
+/// What a target's text says of the controller itself: lines of numbers, or the assignments in branches.
+fn entries(target: Target, text: &str) -> Vec<String> {
+    let numbers = |line: &str| line.starts_with(|c: char| c.is_ascii_digit()) && !line.ends_with(':');
+    let steps = ["state := ", "event := ", "arm_cmd := ", "press_cmd := "];
+    match target {
+        Target::Case => {
+            let machine = text.find("CASE").expect("there are branches");
+            let end = text.find("IF NOT due").expect("there are super steps");
+            mutations(&text[machine..end], |line| steps.iter().any(|step| line.starts_with(step)))
+                .into_iter()
+                .map(|mutated| format!("{}{mutated}{}", &text[..machine], &text[end..]))
+                .collect()
+        }
+        _ => mutations(text, numbers),
+    }
+}
+
+/// Faults of an emitter, each in one place of the text; `#` marks local names, where the target wants it.
+fn faults(target: Target, text: &str) -> Vec<(&'static str, String)> {
+    let of_all = [
+        ("a missing latch", "#pending[3] := TRUE;", "#pending[3] := FALSE;"),
+        ("no edge", " AND NOT #previous[0]", ""),
+        ("no overrun", "#overrun := #overrun OR #pending[0];", ";"),
+        ("a command that stays", "#arm_cmd := 0;", ";"),
+        ("a state that is not output", "#state_no := USINT_TO_UDINT(#state);", ";"),
+    ];
+    let of_tables = [
+        ("an event that is not consumed", "#pending[0] := FALSE;\n", "\n"),
+        ("another event", "IF #pending[2] THEN", "IF #pending[0] THEN"),
+        ("a search that ends early", "#first := #middle + 1;", "#first := #middle; #last := #middle;"),
+    ];
+    let of_case = [
+        ("an event that is not consumed", "pending[event] := FALSE;", ""),
+        ("another event", "IF pending[2] AND", "IF pending[0] AND"),
+    ];
+    let others = if target == Target::Case { &of_case[..] } else { &of_tables };
+    of_all
+        .iter()
+        .chain(others)
+        .map(|&(what, from, to)| {
+            let spelled =
+                |code: &str| if target == Target::Siemens { code.into() } else { code.replace('#', "") };
+            let (from, to) = (spelled(from), spelled(to));
+            assert!(text.contains(&from), "{from}\n{text}");
+            (what, text.replacen(&from, &to, 1))
+        })
+        .collect()
 }
 
 #[test]
 fn faults_are_noticed() {
     let tables = tables::cell();
     let controller = controller(&tables);
-    let options = Options::default();
-    let text = st::text(&tables, &options).expect("it fits");
-    let names = st::names(&tables, &options);
-    let entries = mutations(&text).into_iter().map(|text| ("a wrong entry", text));
-    let mut count = 0;
-    for (what, faulty) in entries.chain(faults(&text)) {
-        assert_ne!(faulty, text, "{what}");
-        let found = difference(&faulty, names.clone(), &tables, &controller, options, CALLS);
-        assert!(found.is_some(), "{what} goes unnoticed:\n{faulty}");
-        count += 1;
+    for options in all_targets() {
+        let text = st::text(&tables, &options).expect("it fits");
+        let names = st::names(&tables, &options);
+        let entries = entries(options.target, &text).into_iter().map(|text| ("a wrong entry", text));
+        let mut count = 0;
+        for (what, faulty) in entries.chain(faults(options.target, &text)) {
+            assert_ne!(faulty, text, "{what}");
+            let found = difference(&faulty, names.clone(), &tables, &controller, options, CALLS);
+            assert!(found.is_some(), "{what} goes unnoticed:\n{faulty}");
+            count += 1;
+        }
+        assert!(count > 20, "only {count} of {}", options.target.name());
     }
-    assert!(count > 25, "only {count}");
+}
+
+/// Branches that do not look back at earlier events.
+#[test]
+fn a_round_that_is_not_started_again_is_noticed() {
+    let tables = slowest(3);
+    let controller = controller(&tables);
+    let options = Options { target: Target::Case, ..Options::default() };
+    let text = st::text(&tables, &options).expect("it fits");
+    let faulty = text.replacen("ELSIF next > 0 THEN", "ELSIF next > 9 THEN", 1);
+    assert_ne!(faulty, text);
+    let names = st::names(&tables, &options);
+    assert!(difference(&faulty, names, &tables, &controller, options, CALLS).is_some());
 }
 
 /// Two targets of a table that are swapped.
@@ -415,14 +547,15 @@ fn faults_are_noticed() {
 fn swapped_entries_are_noticed() {
     for (name, controller) in corpus_controllers() {
         let tables = Tables::new(&name, &controller, Provenance::default());
-        let options = Options::default();
-        let names = st::names(&tables, &options);
         let mut swapped = tables.clone();
         let targets = &mut swapped.super_steps.target;
         let Some(other) = targets.iter().position(|target| *target != targets[0]) else { continue };
         targets.swap(0, other);
-        let text = st::text(&swapped, &options).expect("it fits");
-        let found = difference(&text, names, &tables, &controller, options, CALLS);
-        assert!(found.is_some(), "{name}");
+        for options in all_targets() {
+            let text = st::text(&swapped, &options).expect("it fits");
+            let names = st::names(&tables, &options);
+            let found = difference(&text, names, &tables, &controller, options, CALLS);
+            assert!(found.is_some(), "{name} with {options:?}");
+        }
     }
 }

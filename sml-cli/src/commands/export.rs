@@ -1,7 +1,9 @@
 //! `sml export`: the controller in the language of a target.
 
+mod figures;
+
 use crate::failure::{Exit, Failure, nowhere};
-use crate::options::Minimize;
+use crate::options::{Format, Minimize};
 use crate::session::Session;
 use crate::warnings::{self, Warnings};
 use crate::{input, output};
@@ -77,6 +79,20 @@ pub(crate) enum Target {
     Json,
 }
 
+impl Target {
+    /// Whose Structured Text it is.
+    pub(crate) fn structured_text(self) -> Option<st::Target> {
+        match self {
+            Target::Iec => Some(st::Target::Iec),
+            Target::Codesys => Some(st::Target::Codesys),
+            Target::Twincat => Some(st::Target::Twincat),
+            Target::Siemens => Some(st::Target::Siemens),
+            Target::Case => Some(st::Target::Case),
+            _ => None,
+        }
+    }
+}
+
 impl fmt::Display for Target {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.to_possible_value().as_ref().map_or("", |value| value.get_name()))
@@ -107,7 +123,7 @@ type Writer = fn(&Tables, &Controller, &st::Options) -> Result<String, String>;
 
 pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
     let write = writer(arguments.target)?;
-    if arguments.target != Target::Iec && arguments.text.is_given() {
+    if arguments.target.structured_text().is_none() && arguments.text.is_given() {
         return Err(Failure::usage(format!(
             "options of Structured Text mean nothing to target `{}`",
             arguments.target
@@ -126,12 +142,18 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let warnings = session.warnings_beside(&loaded, &mut solved, &policy)?;
     warnings::show(warnings, &policy, &loaded, session)?;
     let tables = Tables::new(&spec.name, &controller, provenance(&loaded, &spec));
+    let options = arguments.text.options(arguments.target);
     let text = session
-        .stage("emit", || write(&tables, &controller, &arguments.text.options()))
+        .stage("emit", || write(&tables, &controller, &options))
         .map_err(|why| Failure::new(Exit::Wrong, nowhere(Code::Unfit, why)))?;
     match &arguments.output {
         Some(path) if arguments.check => compare(path, &text, arguments)?,
         path => output::product(path.as_deref(), &text)?,
+    }
+    if session.format() == Format::Json
+        && arguments.output.as_deref().is_some_and(|path| path.as_os_str() != "-")
+    {
+        output::print(&figures::json(arguments.target, &text, &tables, &options))?;
     }
     Ok(Exit::Done)
 }
@@ -139,7 +161,9 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
 fn writer(target: Target) -> Result<Writer, Failure> {
     Ok(match target {
         Target::Rust => |tables, _, _| Ok(rust::text(tables, &rust::Options::default())),
-        Target::Iec => |tables, _, options| st::text(tables, options).map_err(|unfit| unfit.to_string()),
+        target if target.structured_text().is_some() => {
+            |tables, _, options| st::text(tables, options).map_err(|unfit| unfit.to_string())
+        }
         Target::Dot => |tables, _, _| Ok(dot::text(tables)),
         Target::Mermaid => |tables, _, _| Ok(mermaid::text(tables)),
         Target::Json => |_, controller, _| Ok(to_json(controller)),
@@ -169,9 +193,9 @@ impl StructuredText {
         self.trigger.is_some() || self.unexpected.is_some() || self.integers.is_some() || self.drain
     }
 
-    fn options(&self) -> st::Options {
+    fn options(&self, target: Target) -> st::Options {
         st::Options {
-            target: st::Target::Iec,
+            target: target.structured_text().unwrap_or_default(),
             trigger: match self.trigger {
                 Some(Trigger::Level) => st::Trigger::Level,
                 Some(Trigger::Edge) | None => st::Trigger::Edge,

@@ -47,20 +47,25 @@ struct Component<'a> {
 
 pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
     use super::export::Target;
-    let name_map: fn(&Tables) -> st::NameMap = match arguments.target {
-        Target::Iec => |tables| st::names(tables, &st::Options::default()),
-        Target::Rust => rust::name_map,
+    let structured_text = arguments.target.structured_text();
+    match arguments.target {
+        Target::Rust => {}
         Target::Json | Target::Dot | Target::Mermaid => {
             return Err(Failure::usage(format!("target `{}` gives nothing a name", arguments.target)));
         }
+        _ if structured_text.is_some() => {}
         other => return Err(Failure::unsupported(&format!("--target {other}"))),
-    };
+    }
     let loaded = session.load(&arguments.file)?;
     let spec = session.specification(&loaded)?;
     let explored = session.explore(&loaded, &spec)?;
     // Names come from the whole graph, so there is no need to know who wins.
     let controller = interface(&explored.game, &alphabet(&explored.playout));
-    let names = name_map(&Tables::new(&spec.name, &controller, provenance(&loaded, &spec)));
+    let tables = Tables::new(&spec.name, &controller, provenance(&loaded, &spec));
+    let names = match structured_text {
+        Some(target) => st::names(&tables, &st::Options { target, ..st::Options::default() }),
+        None => rust::name_map(&tables),
+    };
     output::print(&json(&names))?;
     Ok(Exit::Done)
 }

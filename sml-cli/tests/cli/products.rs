@@ -108,6 +108,10 @@ fn every_target_writes_something_plausible() {
         for (target, part) in [
             ("rust", "pub mod "),
             ("iec", "END_FUNCTION_BLOCK"),
+            ("codesys", "POINTER TO"),
+            ("twincat", "POINTER TO"),
+            ("siemens", "ORGANIZATION_BLOCK"),
+            ("case", "END_CASE;"),
             ("dot", "digraph "),
             ("mermaid", "stateDiagram-v2"),
             ("json", "\"supersteps\""),
@@ -141,9 +145,39 @@ fn options_of_structured_text_reach_it() {
 }
 
 #[test]
+fn figures_of_an_output_are_its_own() {
+    let folder = scratch("figures_of_an_output");
+    for target in ["iec", "codesys", "twincat", "siemens", "case", "rust"] {
+        let path = folder.join(target);
+        let export = format!("export memory/spec.sml --target {target}");
+        let figures = sml(&format!("{export} -o {} --format json", path.display())).json();
+        let text = std::fs::read_to_string(&path).expect("it is written");
+        assert_eq!(sml(&format!("{export} --format json")).stdout, text, "no figures beside the product");
+        assert_eq!(figures["version"], 1);
+        assert_eq!(figures["target"], target);
+        assert_eq!(figures["bytes"], text.len());
+        assert_eq!(figures["lines"], text.lines().count());
+        assert!(figures["transitions"].as_u64() > Some(0));
+        if target == "rust" {
+            assert!(figures["bounds"].is_null());
+            continue;
+        }
+        for (mode, option) in [("cycle", ""), ("drain", "--drain")] {
+            let bound = &figures["bounds"][mode];
+            let expected = format!(
+                "A call takes at most {} statements, {} loop iterations and {} probes",
+                bound["statements"], bound["iterations"], bound["probes"]
+            );
+            let text = sml(&format!("{export} {option}")).stdout;
+            assert!(text.contains(&expected), "{target} {option}: {expected}");
+        }
+    }
+}
+
+#[test]
 fn names_cover_events_and_commands_whatever_the_verdict() {
     for (name, _) in corpus() {
-        for target in ["iec", "rust"] {
+        for target in ["iec", "codesys", "twincat", "siemens", "case", "rust"] {
             let run = sml(&format!("names {name}/spec.sml --target {target}"));
             let names = run.json();
             assert_eq!(
@@ -162,7 +196,7 @@ fn names_cover_events_and_commands_whatever_the_verdict() {
 fn names_are_those_in_the_text() {
     for name in realizable() {
         let controller = sml(&format!("synth {name}/spec.sml")).json();
-        for target in ["iec", "rust"] {
+        for target in ["iec", "codesys", "twincat", "siemens", "case", "rust"] {
             let names = sml(&format!("names {name}/spec.sml --target {target}")).json();
             let text = sml(&format!("export {name}/spec.sml --target {target}")).stdout;
             let events = names["events"].as_array().expect("events");

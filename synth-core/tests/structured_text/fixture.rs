@@ -41,12 +41,19 @@ pub(crate) fn lamp() -> Tables {
 }
 
 pub(crate) fn any_options() -> impl Strategy<Value = Options> {
+    let target = prop::sample::select(Target::ALL.to_vec());
     let trigger = prop::sample::select(vec![Trigger::Edge, Trigger::Level]);
     let integers = prop::sample::select(vec![Integers::Unsigned, Integers::Signed]);
     let unexpected = prop::sample::select(vec![Unexpected::Keep, Unexpected::Drop, Unexpected::Fault]);
-    (trigger, integers, any::<bool>(), unexpected).prop_map(|(trigger, integers, drain, unexpected)| {
-        Options { target: Target::Iec, trigger, integers, drain, unexpected }
-    })
+    (target, trigger, integers, any::<bool>(), unexpected).prop_map(
+        |(target, trigger, integers, drain, unexpected)| Options {
+            target,
+            trigger,
+            integers,
+            drain,
+            unexpected,
+        },
+    )
 }
 
 /// Up to 300 states, so that the types differ; each has a super step or rows of some events.

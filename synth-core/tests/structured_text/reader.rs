@@ -97,7 +97,7 @@ pub(crate) fn lint(text: &str) {
 /// Opening and closing keywords match, statements end in a semicolon, no list of statements is empty.
 #[track_caller]
 fn check_structure(tokens: &[String]) {
-    const PAIRS: [(&str, &str); 12] = [
+    const PAIRS: [(&str, &str); 16] = [
         ("IF", "END_IF"),
         ("FOR", "END_FOR"),
         ("WHILE", "END_WHILE"),
@@ -106,6 +106,10 @@ fn check_structure(tokens: &[String]) {
         ("VAR_INPUT", "END_VAR"),
         ("VAR_OUTPUT", "END_VAR"),
         ("TYPE", "END_TYPE"),
+        ("CASE", "END_CASE"),
+        ("FUNCTION", "END_FUNCTION"),
+        ("DATA_BLOCK", "END_DATA_BLOCK"),
+        ("ORGANIZATION_BLOCK", "END_ORGANIZATION_BLOCK"),
         ("FUNCTION_BLOCK", "END_FUNCTION_BLOCK"),
         ("CONFIGURATION", "END_CONFIGURATION"),
         ("RESOURCE", "END_RESOURCE"),
@@ -120,7 +124,7 @@ fn check_structure(tokens: &[String]) {
             open.push(*end);
         } else if token.starts_with("END_") {
             assert_eq!(open.pop(), Some(token.as_str()), "at token {index}");
-            if ["END_IF", "END_FOR", "END_WHILE", "END_REPEAT"].contains(&token.as_str()) {
+            if ["END_IF", "END_FOR", "END_WHILE", "END_REPEAT", "END_CASE"].contains(&token.as_str()) {
                 assert_eq!(next, ";", "after {token}");
             }
         }

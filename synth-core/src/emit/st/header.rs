@@ -1,28 +1,61 @@
 //! The comment at the top: origin, options, the map of names, requirements.
 
-use super::names::{NameMap, Names, STATE_NO};
+use super::block::Block;
+use super::names::{NameMap, STATE_NO};
 use super::writer::Writer;
-use super::{Integers, Options, Trigger, Unexpected};
+use super::{Integers, Options, Trigger, Unexpected, bound};
 use crate::controller::tables::{FORMAT_VERSION, Tables};
 
 /// Writes it, an empty line last.
-pub(super) fn write(out: &mut Writer, tables: &Tables, options: &Options, names: &Names) {
-    origin(out, tables, options);
+pub(super) fn write(out: &mut Writer, block: &Block<'_>) {
+    origin(out, block);
     out.gap();
-    behaviour(out, options);
+    behaviour(out, block.options);
+    cost(out, block);
     out.gap();
-    name_map(out, &NameMap::new(tables, options.target, names));
+    name_map(out, &NameMap::new(block.tables, block.options.target, block.names));
     out.gap();
-    requirements(out, tables);
+    requirements(out, block.tables);
 }
 
-fn origin(out: &mut Writer, tables: &Tables, options: &Options) {
-    let provenance = &tables.provenance;
-    let (version, target) = (env!("CARGO_PKG_VERSION"), options.target.name());
-    out.comment(&format!("Controller {}: generated, changes get lost.", tables.specification));
+fn origin(out: &mut Writer, block: &Block<'_>) {
+    let provenance = &block.tables.provenance;
+    let version = env!("CARGO_PKG_VERSION");
+    out.comment(&format!("Controller {}: generated, changes get lost.", block.tables.specification));
     out.comment(&format!("Generator: sml {version}, table format {FORMAT_VERSION}"));
     out.comment(&format!("Specification: {}, input hash {}", provenance.file, provenance.hash));
-    out.comment(&format!("To generate it again: sml export {} --target {target}", provenance.file));
+    out.comment(&format!("To generate it again: sml export {}{}", provenance.file, arguments(block.options)));
+    for note in block.dialect().notes {
+        out.comment(note);
+    }
+}
+
+/// What the command line said, without what it need not say.
+fn arguments(options: &Options) -> String {
+    let mut arguments = format!(" --target {}", options.target.name());
+    arguments += match options.trigger {
+        Trigger::Edge => "",
+        Trigger::Level => " --trigger level",
+    };
+    arguments += match options.integers {
+        Integers::Unsigned => "",
+        Integers::Signed => " --integers signed",
+    };
+    arguments += if options.drain { " --drain" } else { "" };
+    arguments += match options.unexpected {
+        Unexpected::Keep => "",
+        Unexpected::Drop => " --unexpected drop",
+        Unexpected::Fault => " --unexpected fault",
+    };
+    arguments
+}
+
+fn cost(out: &mut Writer, block: &Block<'_>) {
+    let bound = bound::call(block);
+    out.comment(&format!(
+        "A call takes at most {} statements, {} loop iterations and {} probes (computed from the tables).",
+        bound.statements, bound.iterations, bound.probes
+    ));
 }
 
 fn behaviour(out: &mut Writer, options: &Options) {

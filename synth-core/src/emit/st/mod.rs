@@ -2,8 +2,11 @@
 //!
 //! The text is a library of its own: a `TYPE` for the set of pending events, a `FUNCTION_BLOCK` that holds the
 //! tables and does one cycle a call, a `PROGRAM` that passes its inputs and outputs through, and a `CONFIGURATION`
-//! that runs it every 10 ms. It keeps to the second edition of the standard, which the strict compilers check:
-//! every array that is assigned has a named type, no `//` comments, no pointers, no mixed integer types.
+//! that runs it every 10 ms.
+//!
+//! Where a [`Target`] has no special needs, it keeps to the second edition of the standard, which the strict compilers
+//! check: every array that is assigned has a named type, no `//` comments, no pointers, no mixed integer types. What
+//! sets targets apart is in `dialect`: words, the layout of transitions (`layout`), and the frame around blocks.
 //!
 //! # What a call does
 //!
@@ -18,45 +21,49 @@
 //!    not unexpected; the next call decides about them.
 
 mod block;
+mod bound;
+mod dialect;
 mod fit;
 mod header;
 mod integer;
+mod layout;
 mod names;
 mod program;
-mod reserved;
 mod writer;
 
 use crate::controller::tables::Tables;
+use block::Block;
+pub use bound::Cost;
 pub use fit::Unfit;
 use names::Names;
 pub use names::{ComponentNames, NameMap};
 use writer::Writer;
 
-/// The dialect and its limits.
+/// The system that the text is for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Target {
     /// IEC 61131-3, second edition, nothing else.
     #[default]
     Iec,
+    /// CODESYS 3.
+    Codesys,
+    /// TwinCAT 3.
+    Twincat,
+    /// Siemens SCL, as an external source of TIA Portal.
+    Siemens,
+    /// IEC 61131-3, second edition, with transitions as branches of `CASE`.
+    Case,
 }
 
 impl Target {
+    /// All of them.
+    pub const ALL: [Target; 5] =
+        [Target::Iec, Target::Codesys, Target::Twincat, Target::Siemens, Target::Case];
+
     /// As on the command line.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            Target::Iec => "iec",
-        }
-    }
-
-    /// The longest identifier, in characters.
-    ///
-    /// The standard leaves it to the implementer. 63 is what C promises to tell apart, which compilers that go
-    /// through C inherit.
-    fn identifier_limit(self) -> usize {
-        match self {
-            Target::Iec => 63,
-        }
+        self.dialect().name
     }
 }
 
@@ -115,11 +122,23 @@ pub struct Options {
 pub fn text(tables: &Tables, options: &Options) -> Result<String, Unfit> {
     let types = fit::check(tables, options)?;
     let names = Names::new(tables, options.target);
-    let mut out = Writer::new();
-    header::write(&mut out, tables, options, &names);
-    block::write(&mut out, tables, options, &names, &types);
-    program::write(&mut out, tables, &names, &types);
+    let block = Block { tables, options, names: &names, types: &types };
+    let mut out = Writer::new(block.dialect().frame.marks_locals());
+    header::write(&mut out, &block);
+    block.write(&mut out);
+    program::write(&mut out, &block);
     Ok(out.finish())
+}
+
+/// What one call of the function block costs at most, computed from the tables.
+///
+/// # Errors
+///
+/// As [`text`].
+pub fn bound(tables: &Tables, options: &Options) -> Result<Cost, Unfit> {
+    let types = fit::check(tables, options)?;
+    let names = Names::new(tables, options.target);
+    Ok(bound::call(&Block { tables, options, names: &names, types: &types }))
 }
 
 /// What events, components and codes are called in [`text`]'s output.

@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 
 use super::Target;
-use super::reserved::is_reserved;
+use super::dialect::{IDENTIFIER_LIMIT, Words};
 use crate::controller::tables::Tables;
 use crate::emit::names::identifier;
 
@@ -74,10 +74,13 @@ const OWN: &[&str] = &[
     "controller",
     "done",
     "due",
+    "event",
     "first",
     "index",
     "last",
+    "last_row",
     "middle",
+    "next",
     "previous",
     "source",
     "state",
@@ -111,6 +114,8 @@ pub(super) struct Names {
     pub(super) function_block: String,
     pub(super) program: String,
     pub(super) events_type: String,
+    /// The function that searches, where there is one.
+    pub(super) search: String,
     pub(super) events: Vec<EventNames>,
     pub(super) components: Vec<OutputNames>,
 }
@@ -118,7 +123,7 @@ pub(super) struct Names {
 impl Names {
     /// Names everything: the interface first, so that only internal names give way to it.
     pub(super) fn new(tables: &Tables, target: Target) -> Names {
-        let mut scope = Scope::new(target.identifier_limit());
+        let mut scope = Scope::new(target.dialect().words, IDENTIFIER_LIMIT);
         let specification = identifier(&tables.specification);
         let function_block = scope.claim(&specification, "_Controller");
         let program = scope.claim(&specification, "_Main");
@@ -144,19 +149,22 @@ impl Names {
                 output,
             })
             .collect();
-        Names { function_block, program, events_type, events, components }
+        let search = scope.claim(&specification, "_BinarySearch");
+        Names { function_block, program, events_type, search, events, components }
     }
 }
 
 /// The names in use, in capitals.
 struct Scope {
     used: BTreeSet<String>,
+    words: &'static Words,
     limit: usize,
 }
 
 impl Scope {
-    fn new(limit: usize) -> Scope {
-        Scope { used: OWN.iter().map(|name| name.to_ascii_uppercase()).collect(), limit }
+    fn new(words: &'static Words, limit: usize) -> Scope {
+        let own = OWN.iter().map(|name| name.to_ascii_uppercase());
+        Scope { used: own.chain(words.iter().map(str::to_owned)).collect(), words, limit }
     }
 
     /// `base` + `suffix`, shortened to the limit, with `_2`, `_3`, … where that is taken or reserved.
@@ -165,7 +173,7 @@ impl Scope {
             let tail = if number == 1 { suffix.to_owned() } else { format!("{suffix}_{number}") };
             let name = shortened(base, self.limit - tail.len()) + &tail;
             let capitals = name.to_ascii_uppercase();
-            if !is_reserved(&capitals) && self.used.insert(capitals) {
+            if !self.words.is_conversion(&capitals) && self.used.insert(capitals) {
                 return name;
             }
         }
@@ -190,7 +198,7 @@ mod tests {
 
     #[test]
     fn clashes_ignore_case_and_skip_taken_numbers() {
-        let mut scope = Scope::new(63);
+        let mut scope = Scope::new(Target::Iec.dialect().words, 63);
         assert_eq!(scope.claim("a_b", ""), "a_b");
         assert_eq!(scope.claim("a_b_2", ""), "a_b_2");
         assert_eq!(scope.claim("A_B", ""), "A_B_3");
@@ -199,7 +207,7 @@ mod tests {
 
     #[test]
     fn reserved_and_own_words_give_way() {
-        let mut scope = Scope::new(63);
+        let mut scope = Scope::new(Target::Iec.dialect().words, 63);
         assert_eq!(scope.claim("end_if", ""), "end_if_2");
         assert_eq!(scope.claim("Ton", ""), "Ton_2");
         assert_eq!(scope.claim("int_to_real", ""), "int_to_real_2");
@@ -207,9 +215,47 @@ mod tests {
         assert_eq!(scope.claim("plc", ""), "plc_2");
     }
 
+    /// Every word of every target, as the text of an event, of a command's object, and of the specification.
+    #[test]
+    fn no_name_is_a_word_of_the_target() {
+        for target in Target::ALL {
+            let words = target.dialect().words;
+            assert!(words.iter().count() > 200, "{}", target.name());
+            let mut scope = Scope::new(words, 63);
+            let mut given = BTreeSet::new();
+            for word in words.iter() {
+                for spelling in [word.to_owned(), word.to_lowercase()] {
+                    let name = scope.claim(&identifier(&spelling), "");
+                    assert!(name.starts_with(&identifier(&spelling)), "{name} is readable");
+                    assert!(!words.iter().any(|other| other.eq_ignore_ascii_case(&name)), "{name}");
+                    assert!(given.insert(name.to_ascii_uppercase()), "{name} twice");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn words_of_other_targets_are_free() {
+        let name = |target: Target, word: &str| Scope::new(target.dialect().words, 63).claim(word, "");
+        for (word, target) in [
+            ("persistent", Target::Codesys),
+            ("interface", Target::Twincat),
+            ("pvoid", Target::Twincat),
+            ("region", Target::Siemens),
+            ("to_int", Target::Codesys),
+            ("dint_to_ltime", Target::Siemens),
+        ] {
+            assert_eq!(name(target, word), format!("{word}_2"), "{}", target.name());
+            assert_eq!(name(Target::Iec, word), word);
+            assert_eq!(name(Target::Case, word), word);
+        }
+        assert_eq!(name(Target::Codesys, "pvoid"), "pvoid");
+        assert_eq!(name(Target::Siemens, "persistent"), "persistent");
+    }
+
     #[test]
     fn long_names_keep_both_ends() {
-        let mut scope = Scope::new(20);
+        let mut scope = Scope::new(Target::Iec.dialect().words, 20);
         let long = "feedArm_controller_arrivedAt_press";
         assert_eq!(scope.claim(long, ""), "feedArm_c_edAt_press");
         assert_eq!(scope.claim(long, ""), "feedArm_dAt_press_2");

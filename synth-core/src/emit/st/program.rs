@@ -1,24 +1,25 @@
-//! The program that passes everything through, and the configuration that runs it.
+//! The program that passes everything through, and what runs it.
 
-use super::block::interface;
-use super::integer::Types;
+use super::block::Block;
 use super::names::{Names, STATE_NO};
-use super::writer::{LINE_LIMIT, Writer};
-use crate::controller::tables::Tables;
+use super::writer::Writer;
 
 /// Writes both.
-pub(super) fn write(out: &mut Writer, tables: &Tables, names: &Names, types: &Types) {
-    out.line(format_args!("PROGRAM {}", names.program));
-    interface(out, tables, names, types.state_no, false);
-    out.block("VAR", "END_VAR", |out| out.line(format_args!("controller : {};", names.function_block)));
-    out.gap();
-    call(out, names);
-    for output in outputs(names) {
-        out.line(format_args!("{output} := controller.{output};"));
-    }
-    out.line("END_PROGRAM");
-    out.gap();
-    configuration(out, names);
+pub(super) fn write(out: &mut Writer, block: &Block<'_>) {
+    let (names, frame) = (block.names, block.dialect().frame);
+    let variables = |out: &mut Writer| {
+        block.interface(out, false);
+        let controller = frame.block_type(&names.function_block);
+        out.block("VAR", "END_VAR", |out| out.line(format_args!("controller : {controller};")));
+    };
+    let statements = |out: &mut Writer| {
+        call(out, names);
+        for output in outputs(names) {
+            out.code_in_parts(&[format!("#{output} :="), format!("#controller.{output};")]);
+        }
+    };
+    frame.program(out, &names.program, &variables, &statements);
+    frame.configuration(out, names);
 }
 
 fn call(out: &mut Writer, names: &Names) {
@@ -26,17 +27,11 @@ fn call(out: &mut Writer, names: &Names) {
         .into_iter()
         .chain(names.events.iter().map(|event| event.input.as_str()))
         .collect();
-    out.line("controller(");
+    out.code("#controller(");
     out.indented(|out| {
         for (index, input) in inputs.iter().enumerate() {
             let end = if index + 1 == inputs.len() { ");" } else { "," };
-            let line = format!("{input} := {input}{end}");
-            if line.len() <= LINE_LIMIT - 2 {
-                out.line(line);
-            } else {
-                out.line(format_args!("{input} :="));
-                out.indented(|out| out.line(format_args!("{input}{end}")));
-            }
+            out.code_in_parts(&[format!("{input} :="), format!("#{input}{end}")]);
         }
     });
 }
@@ -44,13 +39,4 @@ fn call(out: &mut Writer, names: &Names) {
 fn outputs(names: &Names) -> impl Iterator<Item = &str> {
     let components = names.components.iter().map(|component| component.output.as_str());
     components.chain([STATE_NO, "pending", "unexpected", "overrun"])
-}
-
-fn configuration(out: &mut Writer, names: &Names) {
-    out.block("CONFIGURATION Config0", "END_CONFIGURATION", |out| {
-        out.block("RESOURCE Res0 ON PLC", "END_RESOURCE", |out| {
-            out.line("TASK Cyclic(INTERVAL := T#10ms, PRIORITY := 1);");
-            out.line(format_args!("PROGRAM Main0 WITH Cyclic : {};", names.program));
-        });
-    });
 }

@@ -11,11 +11,13 @@ const INDENT: &str = "  ";
 pub(super) struct Writer {
     out: String,
     depth: usize,
+    marks_locals: bool,
 }
 
 impl Writer {
-    pub(super) fn new() -> Writer {
-        Writer { out: String::new(), depth: 0 }
+    /// Whether the marks of local names in statements stay.
+    pub(super) fn new(marks_locals: bool) -> Writer {
+        Writer { out: String::new(), depth: 0, marks_locals }
     }
 
     pub(super) fn finish(self) -> String {
@@ -29,6 +31,58 @@ impl Writer {
         }
         // Writing to a string cannot fail.
         let _ = writeln!(self.out, "{line}");
+    }
+
+    /// A line of a statement, in which every local name is marked `#`; only dialects that want it keep the mark.
+    pub(super) fn code(&mut self, line: impl Display) {
+        self.line(self.unmarked(line.to_string()));
+    }
+
+    /// A statement on one line, or if it is too long with one part a line.
+    pub(super) fn code_in_parts(&mut self, parts: &[impl AsRef<str>]) {
+        let parts: Vec<&str> = parts.iter().map(AsRef::as_ref).collect();
+        let line = self.unmarked(parts.join(" "));
+        if line.len() + self.depth * INDENT.len() <= LINE_LIMIT {
+            return self.line(line);
+        }
+        for (index, part) in parts.into_iter().enumerate() {
+            self.depth += usize::from(index > 0);
+            self.code(part);
+            self.depth -= usize::from(index > 0);
+        }
+    }
+
+    fn unmarked(&self, code: String) -> String {
+        if self.marks_locals { code } else { code.replace('#', "") }
+    }
+
+    /// Statements under a condition.
+    pub(super) fn when(&mut self, condition: impl Display, inside: impl FnOnce(&mut Writer)) {
+        self.code(format_args!("IF {condition} THEN"));
+        self.indented(inside);
+        self.code("END_IF;");
+    }
+
+    /// Statements under several conditions.
+    pub(super) fn when_all(&mut self, conditions: &[String], inside: impl FnOnce(&mut Writer)) {
+        let mut parts: Vec<String> = conditions.iter().map(|condition| format!("AND {condition}")).collect();
+        if let Some(first) = parts.first_mut() {
+            first.replace_range(.."AND".len(), "IF");
+        }
+        if let Some(last) = parts.last_mut() {
+            last.push_str(" THEN");
+        }
+        self.code_in_parts(&parts);
+        self.indented(inside);
+        self.code("END_IF;");
+    }
+
+    /// Statements until a condition holds.
+    pub(super) fn repeat(&mut self, until: impl Display, inside: impl FnOnce(&mut Writer)) {
+        self.code("REPEAT");
+        self.indented(inside);
+        self.code(format_args!("UNTIL {until}"));
+        self.code("END_REPEAT;");
     }
 
     /// An empty line.
@@ -150,7 +204,7 @@ mod tests {
 
     #[test]
     fn arrays_keep_the_line_limit() {
-        let mut writer = Writer::new();
+        let mut writer = Writer::new(false);
         let values: Vec<u32> = (10_000..10_040).collect();
         writer.array("x", "UINT", &values);
         let text = writer.finish();

@@ -1,0 +1,246 @@
+//! What a call costs at most, computed from the tables.
+//!
+//! A cycle consumes each event at most once, because nothing raises events meanwhile, and no more of them than follow
+//! each other without a super step. So the rounds are counted: all but the last consume an event, and the more have
+//! been consumed, the fewer are left to be searched.
+
+use std::ops::{Add, AddAssign, Mul};
+
+use super::block::Block;
+use super::{Trigger, Unexpected};
+use crate::controller::tables::Tables;
+
+/// Costs of a piece of text.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Cost {
+    /// Statements that begin: assignments, `IF`, `CASE`, loops (once each), calls.
+    pub statements: u64,
+    /// Times that the body of a loop is entered.
+    pub iterations: u64,
+    /// Comparisons with an entry of a table; for `CASE`, conditions of branches.
+    pub probes: u64,
+}
+
+impl Cost {
+    pub(super) fn statements(statements: u64) -> Cost {
+        Cost { statements, ..Cost::default() }
+    }
+}
+
+impl Cost {
+    /// The greater of each.
+    fn max(self, other: Cost) -> Cost {
+        Cost {
+            statements: self.statements.max(other.statements),
+            iterations: self.iterations.max(other.iterations),
+            probes: self.probes.max(other.probes),
+        }
+    }
+}
+
+impl Add for Cost {
+    type Output = Cost;
+
+    fn add(self, other: Cost) -> Cost {
+        Cost {
+            statements: self.statements.saturating_add(other.statements),
+            iterations: self.iterations.saturating_add(other.iterations),
+            probes: self.probes.saturating_add(other.probes),
+        }
+    }
+}
+
+impl AddAssign for Cost {
+    fn add_assign(&mut self, other: Cost) {
+        *self = *self + other;
+    }
+}
+
+impl Mul<u64> for Cost {
+    type Output = Cost;
+
+    fn mul(self, times: u64) -> Cost {
+        Cost {
+            statements: self.statements.saturating_mul(times),
+            iterations: self.iterations.saturating_mul(times),
+            probes: self.probes.saturating_mul(times),
+        }
+    }
+}
+
+/// Costs of the statements that a layout writes.
+#[derive(Default)]
+pub(super) struct LayoutCost {
+    /// What entering the loop over events costs.
+    pub(super) entry: Cost,
+    /// A round of the loop over events, without its searches.
+    pub(super) round: Cost,
+    /// Rounds for every event that is consumed; one more ends the loop.
+    pub(super) rounds_per_event: u64,
+    /// Per event with rows its search in one round if it is pending; none if a round does not search.
+    pub(super) searches: Vec<Cost>,
+    /// What consuming an event adds.
+    pub(super) event: Cost,
+    /// Looking for the super step that is due.
+    pub(super) seek: Cost,
+    /// What doing it adds.
+    pub(super) perform: Cost,
+    /// What leaving it to the next call adds (drain).
+    pub(super) leave: Cost,
+    /// What is added if none is due.
+    pub(super) wait: Cost,
+}
+
+/// What one call costs at most: a cycle, or a drain if `options.drain`.
+pub(super) fn call(block: &Block<'_>) -> Cost {
+    frame(block) + run(block).max(reset(block))
+}
+
+/// A call that runs.
+fn run(block: &Block<'_>) -> Cost {
+    let cost = block.dialect().layout.cost(block);
+    let events = block.events().count() as u64;
+    let raise = Cost::statements(3 * block.names.events.len() as u64);
+    // Unexpected events are looked for only if no super step is due.
+    let waits = cost.wait + refuse(block);
+    if block.drains() {
+        // Every repetition but the last does a super step, and the last one does none.
+        let steps = super_steps(block.tables, events);
+        let cycles = steps.saturating_add(1);
+        let repeats = Cost { statements: 1, iterations: cycles, probes: 0 };
+        let ends = cost.leave.max(waits);
+        raise + repeats + consume(&cost, cycles, events) + cost.seek * cycles + cost.perform * steps + ends
+    } else {
+        let consumed = events.min(longest_chain(block.tables));
+        raise + consume(&cost, 1, consumed) + cost.seek + cost.perform.max(waits)
+    }
+}
+
+/// Entering the loop over events so many times, and consuming so many in all.
+fn consume(cost: &LayoutCost, cycles: u64, consumed: u64) -> Cost {
+    let rounds = cycles.saturating_add(cost.rounds_per_event * consumed);
+    let mut total = cost.entry * cycles + cost.round * rounds + cost.event * consumed;
+    let mut searches = cost.searches.clone();
+    searches.sort_unstable_by_key(|search| std::cmp::Reverse(search.statements));
+    // Sums of the most expensive searches: none, one, two, …
+    let mut sums = vec![Cost::default()];
+    for search in searches {
+        sums.push(sums[sums.len() - 1] + search);
+    }
+    // The loop may end in every cycle but one with everything pending; in the other it is consumed one a round.
+    total += sums[sums.len() - 1] * (cycles - 1);
+    for left in sums.iter().rev().take(consumed as usize + 1) {
+        total += *left;
+    }
+    total
+}
+
+/// What every call does: outputs, `overrun`, `unexpected`, `IF reset`, `previous`, `state_no`.
+fn frame(block: &Block<'_>) -> Cost {
+    let clears = u64::from(block.options.unexpected != Unexpected::Fault);
+    let edges = if block.options.trigger == Trigger::Edge { block.names.events.len() } else { 0 };
+    Cost::statements(block.names.components.len() as u64 + 3 + clears + edges as u64)
+}
+
+/// What a call with `reset` does: `state`, `unexpected`, and a loop over the events.
+fn reset(block: &Block<'_>) -> Cost {
+    let clears = u64::from(block.options.unexpected == Unexpected::Fault);
+    Cost::statements(1 + clears) + each_event(block, 1)
+}
+
+/// Looking for unexpected events.
+fn refuse(block: &Block<'_>) -> Cost {
+    each_event(block, if block.options.unexpected == Unexpected::Drop { 2 } else { 1 })
+}
+
+/// A loop over the events.
+fn each_event(block: &Block<'_>, statements: u64) -> Cost {
+    let events = block.names.events.len() as u64;
+    let enters = u64::from(events > 0);
+    Cost { statements: enters + statements * events, iterations: events, probes: 0 }
+}
+
+/// The most super steps of a drain: each commands a component for the first time, or nothing; how many of those
+/// follow each other is in the tables, and between two such rows stands an event or a command.
+fn super_steps(tables: &Tables, events: u64) -> u64 {
+    let commanding =
+        tables.components.iter().filter(|c| c.codes.iter().any(|&code| code != 0)).count() as u64;
+    let silent = longest_silence(tables);
+    commanding.saturating_add(silent.saturating_mul(events + commanding + 1))
+}
+
+/// The most super steps in a row that command nothing; there is no circle of them where draining is allowed.
+fn longest_silence(tables: &Tables) -> u64 {
+    let steps = &tables.super_steps;
+    let mut edges = vec![Vec::new(); tables.states as usize];
+    for (row, (&source, &target)) in steps.source.iter().zip(&steps.target).enumerate() {
+        if tables.components.iter().all(|component| component.codes[row] == 0) {
+            edges[source as usize].push(target);
+        }
+    }
+    longest_path(&edges)
+}
+
+/// The most events that follow each other without a super step; unlimited if they can go round in a circle.
+fn longest_chain(tables: &Tables) -> u64 {
+    let mut edges = vec![Vec::new(); tables.states as usize];
+    for mapping in tables.events.iter().map(|table| &table.mapping) {
+        for (&source, &target) in mapping.source.iter().zip(&mapping.target) {
+            edges[source as usize].push(target);
+        }
+    }
+    longest_path(&edges)
+}
+
+/// The number of edges of the longest path, `u64::MAX` if there is a circle.
+fn longest_path(edges: &[Vec<u32>]) -> u64 {
+    let mut open: Vec<u32> = vec![0; edges.len()];
+    for &target in edges.iter().flatten() {
+        open[target as usize] += 1;
+    }
+    // States in topological order; those on a circle, and behind one, never come.
+    let mut order: Vec<u32> =
+        (0..).zip(&open).filter(|(_, open)| **open == 0).map(|(state, _)| state).collect();
+    let mut length = vec![0u64; edges.len()];
+    let mut at = 0;
+    while let Some(&state) = order.get(at) {
+        at += 1;
+        for &target in &edges[state as usize] {
+            length[target as usize] = length[target as usize].max(length[state as usize] + 1);
+            open[target as usize] -= 1;
+            if open[target as usize] == 0 {
+                order.push(target);
+            }
+        }
+    }
+    if order.len() < edges.len() { u64::MAX } else { length.into_iter().max().unwrap_or(0) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(states: usize, edges: &[(u32, u32)], expected: u64) {
+        let mut lists = vec![Vec::new(); states];
+        for &(source, target) in edges {
+            lists[source as usize].push(target);
+        }
+        assert_eq!(longest_path(&lists), expected);
+    }
+
+    #[test]
+    fn longest_paths() {
+        check(0, &[], 0);
+        check(3, &[], 0);
+        check(3, &[(2, 1), (1, 0)], 2);
+        check(4, &[(0, 1), (0, 2), (1, 2), (3, 2)], 2);
+        check(3, &[(0, 1), (0, 1)], 1);
+    }
+
+    #[test]
+    fn circles_have_no_longest_path() {
+        check(1, &[(0, 0)], u64::MAX);
+        check(4, &[(0, 1), (1, 2), (2, 1), (2, 3)], u64::MAX);
+    }
+}

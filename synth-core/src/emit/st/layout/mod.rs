@@ -1,0 +1,30 @@
+//! How a text holds the transitions and finds the one to follow.
+
+pub(super) mod case;
+pub(super) mod tables;
+
+use super::block::Block;
+use super::bound::LayoutCost;
+use super::writer::Writer;
+
+/// Declarations and statements that differ with how transitions are held.
+pub(super) trait Layout: Sync {
+    /// Declarations in front of the function block.
+    fn functions(&self, out: &mut Writer, block: &Block<'_>);
+
+    /// Blocks of variables that hold transitions.
+    fn tables(&self, out: &mut Writer, block: &Block<'_>);
+
+    /// Variables of the statements below, without a block.
+    fn variables(&self, out: &mut Writer, block: &Block<'_>);
+
+    /// Consumes pending events that fit, until none does. There is an event with rows.
+    fn consume(&self, out: &mut Writer, block: &Block<'_>);
+
+    /// Does the super step that is due, and sets `due`; with drain, sets `done` if none is, or if a component would be
+    /// commanded again, and does nothing then. There is a super step.
+    fn super_step(&self, out: &mut Writer, block: &Block<'_>);
+
+    /// What its statements cost at most.
+    fn cost(&self, block: &Block<'_>) -> LayoutCost;
+}
