@@ -209,3 +209,30 @@ fn commands_for_programs() {
     assert_eq!((&lines[2]["can_happen"], &refused["scenario"]), (&false.into(), &"Memory.OneAtATick".into()));
     assert_eq!(refused["line"], 20);
 }
+
+#[test]
+fn why_takes_a_number() {
+    let by_text = play("memory", "why control -> lamp.green()\n");
+    let by_number = play("memory", "why 1\n");
+    assert_eq!((by_number.code, &by_number.stdout), (0, &by_text.stdout), "{}", by_number.stderr);
+    let run = play("memory", "why 9\n");
+    assert_eq!(run.code, 1);
+    assert!(run.stderr.contains("`9` is no event"), "{}", run.stderr);
+}
+
+#[test]
+fn help_is_a_table_and_no_product() {
+    let run = play("memory", "help\n");
+    let lines: Vec<&str> = run.stdout.lines().rev().take(10).collect();
+    assert!(lines.iter().all(|line| line.starts_with("  ") && !line.starts_with("   ")), "{lines:#?}");
+    let run = sml_reading("play memory/spec.sml --format json", b"help\n");
+    assert_eq!((run.code, run.stdout.as_str()), (0, ""));
+    assert!(run.stderr.starts_with("  NUMBER"), "{}", run.stderr);
+}
+
+#[test]
+fn expecting_nothing_is_a_mistake() {
+    let run = play("memory", "expect\n");
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("or an attribute, found nothing"), "{}", run.stderr);
+}

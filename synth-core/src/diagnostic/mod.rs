@@ -13,11 +13,29 @@ pub use render::render;
 pub use tokens::{compile_errors, compile_errors_at};
 
 use crate::syntax::Span;
+use std::borrow::Cow;
 
 /// `1 state`, `2 states`.
 #[must_use]
 pub fn counted(count: usize, noun: &str) -> String {
     format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
+/// A note as people read it: of a play of thousands of steps its beginning and its end. JSON has all of it.
+fn readable(note: &str) -> Cow<'_, str> {
+    const FIRST: usize = 20;
+    const LAST: usize = 30;
+    let lines: Vec<&str> = note.lines().collect();
+    let Some(left_out) = lines.len().checked_sub(FIRST + LAST).filter(|&left_out| left_out > 1) else {
+        return Cow::Borrowed(note);
+    };
+    let between = format!("  ... {left_out} lines more");
+    let shown = lines[..FIRST]
+        .iter()
+        .copied()
+        .chain([between.as_str()])
+        .chain(lines[FIRST + left_out..].iter().copied());
+    Cow::Owned(shown.collect::<Vec<_>>().join("\n"))
 }
 
 /// How bad it is.
@@ -102,5 +120,25 @@ impl Diagnostic {
     pub fn help(mut self, text: impl Into<String>) -> Self {
         self.help = Some(text.into());
         self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::readable;
+
+    #[test]
+    fn long_plays_are_shown_in_part() {
+        let play = |steps: usize| {
+            let steps: Vec<String> = (1..=steps).map(|step| format!("  step {step}")).collect();
+            format!("the play:\n{}", steps.join("\n"))
+        };
+        for whole in [0, 1, 49, 50] {
+            assert_eq!(readable(&play(whole)), play(whole));
+        }
+        let shown = readable(&play(100_000)).into_owned();
+        assert_eq!(shown.lines().count(), 51);
+        assert!(shown.contains("  step 19\n  ... 99951 lines more\n  step 99971\n"), "{shown}");
+        assert!(shown.ends_with("  step 100000"), "{shown}");
     }
 }

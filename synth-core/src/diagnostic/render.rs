@@ -2,7 +2,7 @@
 
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
-use super::{Diagnostic, Severity};
+use super::{Diagnostic, Severity, readable};
 use crate::syntax::{FileId, Pos, Sources, Span};
 
 /// More than this many nobody reads, and each costs a pass over its line, which may be the whole file.
@@ -49,7 +49,7 @@ fn group<'a>(diagnostic: &'a Diagnostic, code: &'a str, sources: &'a Sources) ->
         group = group.element(Origin::path(path).line(line as usize).char_column(column as usize));
     }
     for note in &diagnostic.notes {
-        group = group.element(Level::NOTE.message(note));
+        group = group.element(Level::NOTE.message(readable(note)));
     }
     if let Some(help) = &diagnostic.help {
         group = group.element(Level::HELP.message(help));

@@ -3,7 +3,7 @@
 use proc_macro2::{LineColumn, Span, TokenStream, TokenTree};
 use quote::quote_spanned;
 
-use super::{Diagnostic, Severity, render};
+use super::{Diagnostic, Severity, readable, render};
 use crate::syntax::{self, Loaded, Pos, Sources};
 
 /// One `::core::compile_error!{"…"}` for each error; warnings are left out, since a macro cannot warn.
@@ -50,7 +50,7 @@ fn text(diagnostic: &Diagnostic, sources: &Sources) -> String {
         }
     }
     for note in &diagnostic.notes {
-        text.push_str(&format!("\n  note: {}", note.replace('\n', "\n    ")));
+        text.push_str(&format!("\n  note: {}", readable(note).replace('\n', "\n    ")));
     }
     if let Some(help) = &diagnostic.help {
         text.push_str(&format!("\n  help: {help}"));

@@ -113,11 +113,15 @@ pub fn compile_with_warnings(
 pub fn specification(loaded: &Loaded) -> Result<Spec, Failure> {
     let is_error = |d: &Diagnostic| d.severity == Severity::Error;
     let mut diagnostics = loaded.diagnostics.clone();
+    let unread = diagnostics.iter().any(is_error);
     // Names that only a lost piece of text declares would all be unknown.
-    if !diagnostics.iter().any(is_error) {
-        let (spec, found) = resolve(&loaded.files);
+    if !unread || loaded.declares_all() {
+        let (spec, mut found) = resolve(&loaded.files);
+        // What seems wrong beside something unreadable may only follow from it.
+        let line = |d: &Diagnostic| (d.span.file, d.span.start.line);
+        found.retain(|d| !diagnostics.iter().any(|unreadable| line(unreadable) == line(d)));
         diagnostics.extend(found);
-        if let Some(spec) = spec {
+        if let Some(spec) = spec.filter(|_| !unread) {
             return Ok(spec);
         }
     }

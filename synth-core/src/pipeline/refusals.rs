@@ -389,6 +389,7 @@ fn check_play(marked: &str, play: &[&str]) {
     let shown: Vec<&str> =
         found[0].notes.iter().flat_map(|note| note.lines().skip(1)).map(str::trim).collect();
     assert_eq!(shown, play, "{found:#?}");
+    assert!(found[0].help.is_some(), "{found:#?}");
 }
 
 #[test]
@@ -481,4 +482,107 @@ fn an_event_that_nothing_causes_makes_no_mistake() {
          non-spontaneous events { Control.press }
          collaboration C { guarantee scenario G { user -> control.press() } }",
     );
+}
+
+/// The codes and lines of all mistakes, in their order.
+#[track_caller]
+fn check_all(text: &str, expect: &[(u16, u32)]) {
+    let shown: Vec<(u16, u32)> = found(text).iter().map(|d| (d.code as u16, d.span.start.line)).collect();
+    assert_eq!(shown, expect, "{text}");
+}
+
+#[test]
+fn names_are_looked_up_where_only_scenarios_and_effects_cannot_be_read() {
+    let collaboration = |scenarios: &str| {
+        format!(
+            "{}collaboration C {{\n{scenarios}\n}} }}",
+            WORLD.replace("object other: Lamp", "object other: Lmap")
+        )
+    };
+    let wrong_name = "guarantee scenario A { user -> control.pres() }\n";
+    check_all(
+        &collaboration(&format!("{wrong_name}guarantee scenario B {{ user -> control.press() wait lamp }}")),
+        &[(20, 12), (20, 16), (4, 17)],
+    );
+    check_all(
+        &collaboration(&format!("guarantee scenario B {{ € }}\n{wrong_name}")),
+        &[(20, 12), (1, 16), (20, 17)],
+    );
+    check_all(&collaboration("guarantee scenario B { user -> control.press( } "), &[(2, 16)]);
+    check_all(
+        &collaboration(&format!("gaurantee scenario B {{ }}\n{wrong_name}")),
+        &[(20, 12), (4, 16), (20, 17)],
+    );
+    check_all(
+        &collaboration(&format!("guarantee scenario B {{ wait [1 < 2 < 3] wait lamp }}\n{wrong_name}")),
+        &[(20, 12), (13, 16), (20, 17)],
+    );
+    // What a role, a class or an object is called is not known then.
+    check_all(&collaboration(&format!("dynmic role Lamp some\n{wrong_name}")), &[(4, 16)]);
+    check_all(&collaboration(&format!("guarantee B {{ }}\n{wrong_name}")), &[(4, 16)]);
+    check_all(
+        &format!("{WORLD}effects {{\nuser control.press() {{ }} }}\nobject x: Lmap }}"),
+        &[(4, 16), (20, 17)],
+    );
+    check_all(&format!("{WORLD}channels {{ x }}\nobject x: Lmap }}"), &[(4, 15), (20, 16)]);
+    check_all(&format!("{WORLD}object y Lamp\nobject x: Lmap }}"), &[(4, 15)]);
+}
+
+#[test]
+fn help_for_wrong_types_and_counts() {
+    let help = |found: Vec<Diagnostic>| found[0].help.clone().expect("help");
+    assert_eq!(
+        help(check_body(
+            "wait [lamp.color == 3]\n                    ~ 22 expected a literal of `Color`, found an integer"
+        )),
+        "write a literal of `Color` here, or change the declaration"
+    );
+    assert_eq!(
+        help(check_body("wait [lamp.level]\n      ~~~~~~~~~~ 22 expected `bool`, found an integer")),
+        "write a truth value here, or change the declaration"
+    );
+    assert_eq!(
+        help(check_body(
+            "urgent control -> lamp.on(1)\n                       ~~ 23 `on` takes 0 arguments, but 1 is given"
+        )),
+        "write `on()`"
+    );
+    assert_eq!(
+        help(check_section(
+            "domain { class A { a: bool setA(a: bool) } }\n                           ~~~~ 21 operation `setA` is declared a second time"
+        )),
+        "remove it: the setter of an attribute exists without being declared"
+    );
+}
+
+/// The help for a mistake in the syntax of sections behind those of the world.
+#[track_caller]
+fn check_help(sections: &str, expect: &str) {
+    let found = found(&format!("{WORLD}{sections}\n}}"));
+    assert_eq!(found[0].help.as_deref(), Some(expect), "{found:#?}");
+}
+
+#[track_caller]
+fn check_help_in_body(fragments: &str, expect: &str) {
+    check_help(
+        &format!("collaboration C {{ guarantee scenario G {{ user -> control.press() {fragments} }} }}"),
+        expect,
+    );
+}
+
+#[test]
+fn help_for_habits() {
+    check_help_in_body("alternative { } and { }", "write `or`, or put a `parallel` in front");
+    check_help_in_body("parallel { } or { }", "write `and`, or put an `alternative` in front");
+    check_help_in_body("alternative if [lamp.lit] { }", "remove `if`");
+    check_help_in_body("for [lamp.lit] { }", "write `while`");
+    check_help_in_body("eventually wait [lamp.lit]", "write `wait eventually [ … ]`");
+    check_help_in_body("strict eventually wait [lamp.lit]", "write `wait strict eventually [ … ]`");
+    check_help_in_body("strict wait [lamp.lit]", "write `wait strict [ … ]`");
+    check_help_in_body("lamp.lit = true", "put the assignment into the section `effects`");
+    check_help_in_body("} constraints { forbidden control -> lamp.on()", "write `[ … ]` instead of `{ … }`");
+    check_help("collaboration C { guarantee G { } }", "write `guarantee scenario`");
+    check_help("domain { class A extends Lamp { } }", "write `:` and the class to inherit from");
+    check_help("non-spontaneous events { Control.press() }", "remove the parentheses");
+    check_help("parameter ranges { Control.level(to = 1..3) }", "put the range into brackets: `[ … ]`");
 }

@@ -85,10 +85,16 @@ impl PlayError {
     #[must_use]
     pub fn diagnostic(&self, play: &[String]) -> Diagnostic {
         let diagnostic = Diagnostic::error(self.code, self.span, self.message.clone());
+        let help = match self.code {
+            Code::PlayOutRange => "widen the range, or see to it that this cannot happen there",
+            Code::PlayOutNull => "test for `null` first: `… != null && …`",
+            Code::PlayOutLoop => "let the loop wait for a message or for something that changes",
+            Code::ViolatedInitially => "begin the scenario with a message",
+            _ => "narrow the types of its parameters, or give them `parameter ranges`",
+        };
+        let diagnostic = diagnostic.help(help);
         match play {
-            _ if self.code == Code::LimitReached => {
-                diagnostic.help("narrow the types of its parameters, or give them `parameter ranges`")
-            }
+            _ if matches!(self.code, Code::LimitReached | Code::ViolatedInitially) => diagnostic,
             [] => diagnostic.note("this happens in the initial state"),
             _ => diagnostic.note(format!("the shortest play that leads there:\n  {}", play.join("\n  "))),
         }

@@ -79,9 +79,9 @@ impl Warning {
 impl FromStr for Warning {
     type Err = String;
 
-    /// `SML0097`; case does not matter.
+    /// `SML0097`, as `sml explain` takes it: `97` is enough, case does not matter.
     fn from_str(text: &str) -> Result<Self, String> {
-        Warning::all().find(|warning| warning.0.to_string().eq_ignore_ascii_case(text)).ok_or_else(|| {
+        Warning::all().find(|warning| Code::from_text(text) == Some(warning.0)).ok_or_else(|| {
             let codes: Vec<String> = Warning::all().map(|warning| warning.0.to_string()).collect();
             format!("there is no such warning; the warnings are {}", codes.join(", "))
         })
@@ -132,7 +132,8 @@ mod tests {
     #[test]
     fn only_warnings() {
         assert_eq!(Warning::all().count(), 10);
-        for wrong in ["SML0070", "SML0100", "97", ""] {
+        assert_eq!(warning("97"), warning("sml0097"));
+        for wrong in ["SML0070", "SML0100", "9", ""] {
             let error = wrong.parse::<Warning>().expect_err("no warning");
             assert!(error.ends_with("SML0097, SML0098, SML0099"), "{error}");
         }

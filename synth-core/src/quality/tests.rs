@@ -115,6 +115,40 @@ fn the_play_ends_with_the_event() {
 }
 
 #[test]
+fn the_places_are_those_of_the_event() {
+    let text = world(
+        "guarantee scenario G {
+  user -> ctl.press()
+  parallel { ctl -> arm.to(left) } and { urgent ctl -> arm.to(right) }
+}
+assumption scenario A {
+  user -> ctl.press()
+  user -> ctl.stop()
+} constraints [
+  forbidden ctl -> arm.to(left)
+  forbidden ctl -> arm.to(right)
+]",
+    );
+    let found = diagnostics_of(&text, Semantics::default());
+    let warning = found.iter().find(|one| one.code as u16 == 90).expect("a warning");
+    let labels: Vec<(&str, &str)> = warning
+        .labels
+        .iter()
+        .map(|(span, says)| {
+            let line = text.lines().nth(span.start.line as usize - 1).expect("a line");
+            (&line[span.start.column as usize - 1..span.end.column as usize - 1], says.as_str())
+        })
+        .collect();
+    assert_eq!(
+        labels,
+        [
+            ("ctl -> arm.to(right)", "forbidden here"),
+            ("urgent ctl -> arm.to(right)", "a guarantee asks for it here")
+        ]
+    );
+}
+
+#[test]
 fn with_classic_the_system_wins_by_it() {
     check_with(
         Semantics { classic: true },

@@ -29,6 +29,8 @@ pub struct File {
     pub name: Name,
     /// In textual order.
     pub sections: Vec<Section>,
+    /// Whether everything that declares a name was read: mistakes, if any, cost only scenarios, effects and the like.
+    pub declares_all: bool,
 }
 
 /// A section of a specification.

@@ -128,6 +128,16 @@ impl Loaded {
     /// The main file's id.
     pub const MAIN: FileId = FileId(0);
 
+    /// Whether everything that declares a name was read, in all files.
+    #[must_use]
+    pub fn declares_all(&self) -> bool {
+        let imported = |d: &Diagnostic| !matches!(d.code, Code::MissingImport | Code::CyclicImport);
+        !self.files.is_empty()
+            && self.files.len() == self.sources.len()
+            && self.files.iter().all(|file| file.declares_all)
+            && self.diagnostics.iter().all(imported)
+    }
+
     /// The string in the main file that leads to `file`, directly or through others; `None` for the main file.
     #[must_use]
     pub fn import_of(&self, file: FileId) -> Option<Span> {

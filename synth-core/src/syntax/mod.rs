@@ -39,10 +39,14 @@ pub fn parse_text(text: &str, file: FileId) -> (Option<ast::File>, Vec<Diagnosti
     let lexis::Scan { readable, end, cut, surplus, behind_blanks, mut errors } = lexis::scan(text, file);
     let Some(readable) = readable else { return (None, errors) };
     let lexed = tokens::lex(&readable, file, |tokens| parse_stream(tokens, file, end));
-    let Parsed { tree, errors: mut found, unbraced } = match lexed {
+    let Parsed { mut tree, errors: mut found, unbraced } = match lexed {
         Ok(parsed) => parsed,
         Err(error) => Parsed { tree: None, errors: vec![*error], unbraced: None },
     };
+    if let Some(tree) = &mut tree {
+        // A stray character is as good as a space; whatever else is wrong may hide anything.
+        tree.declares_all &= errors.iter().all(|d| d.code == Code::Lexical);
+    }
     if surplus && let Some(place) = unbraced.filter(|&place| cut.is_none_or(|cut| place < cut)) {
         // The grammar knows better where braces went wrong than whoever counts them.
         found.retain(|d| d.span.start <= place);

@@ -12,14 +12,13 @@ use std::io::BufRead;
 use std::path::Path;
 use synth_core::diagnostic::{Code, Diagnostic};
 
-const HELP: &str = "\
-  NUMBER          the event with this number
+const HELP: &str = "  NUMBER          the event with this number
   EVENT           an event by its text, or `yield`
   back [N]        take the last N events that you chose back, and the answers to them
   save FILE       write what you chose as a script; `save! FILE` also over a file
   replay FILE     begin anew and play a script
   state           active scenarios with their cuts, attributes, and what can happen
-  why EVENT       who wants an event, who waits for it, and what does not let it happen
+  why EVENT       who wants an event, who waits for it, and what does not let it happen; NUMBER, too
   expect ...      check something, see `sml explain SML0109`
   help            this
   quit            the end
@@ -120,12 +119,7 @@ fn execute(command: &Command<'_>, table: &mut Table<'_>, manners: Manners) -> Re
     let text = manners.format == Format::Text;
     match *command {
         Command::Event(event) => give(event, table, manners),
-        Command::Number(number) => {
-            let enabled = table.player.enabled();
-            let event = number.checked_sub(1).and_then(|index| enabled.get(index));
-            let event = event.map_or_else(|| number.to_string(), |event| (*event).to_owned());
-            give(&event, table, manners)
-        }
+        Command::Number(number) => give(&numbered(number, table), table, manners),
         Command::Back(events) => {
             table.back(events).map_err(|wrong| failure(wrong, "", table))?;
             look(table, manners)
@@ -135,6 +129,7 @@ fn execute(command: &Command<'_>, table: &mut Table<'_>, manners: Manners) -> Re
         Command::State if text => output::print(&view::state(table, manners.color)),
         Command::State => output::print(&view::state_json(table)),
         Command::Why(event) => {
+            let event = &event.parse().map_or_else(|_| event.to_owned(), |number| numbered(number, table));
             let Some(choice) = table.player.find(event) else {
                 let diagnostic =
                     nowhere(Code::NotExecutable, format!("`{event}` is no event of any scenario here"));
@@ -148,9 +143,20 @@ fn execute(command: &Command<'_>, table: &mut Table<'_>, manners: Manners) -> Re
             })
         }
         Command::Expect(rest) => expect(rest, table),
-        Command::Help => output::print(HELP),
+        Command::Help if text => output::print(HELP),
+        Command::Help => {
+            output::note(HELP.trim_end());
+            Ok(())
+        }
         Command::Quit => Ok(()),
     }
+}
+
+/// The event with this number in the list, or else the number.
+fn numbered(number: usize, table: &mut Table<'_>) -> String {
+    let enabled = table.player.enabled();
+    let event = number.checked_sub(1).and_then(|index| enabled.get(index));
+    event.map_or_else(|| number.to_string(), |event| (*event).to_owned())
 }
 
 fn give(event: &str, table: &mut Table<'_>, manners: Manners) -> Result<(), Failure> {

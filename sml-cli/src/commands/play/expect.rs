@@ -58,8 +58,9 @@ impl Expectation {
                     self::attribute(attribute.trim(), value.trim(), spec)?
                 }
                 _ => {
+                    let found = if word.is_empty() { "nothing".to_owned() } else { format!("`{word}`") };
                     return Err(format!(
-                        "expected `enabled`, `only`, `turn`, `violated`, `active` or an attribute, found `{word}`"
+                        "expected `enabled`, `only`, `turn`, `violated`, `active` or an attribute, found {found}"
                     ));
                 }
             },

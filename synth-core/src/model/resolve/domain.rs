@@ -155,7 +155,12 @@ impl Resolver {
                 .find(|&op| self.domain.operations[op].name == name.text);
             if let Some(earlier) = earlier {
                 match place_of(&self.domain.operations[earlier], classes) {
-                    Some(first) => self.duplicate("operation", name, first),
+                    Some(first) => {
+                        self.duplicate("operation", name, first);
+                        if self.domain.operations[earlier].sets.is_some() {
+                            self.explain_setter(name);
+                        }
+                    }
                     None => {
                         let message = format!("operation `{}` exists already", name.text);
                         self.error(Code::DuplicateName, name.span, message);
@@ -175,6 +180,17 @@ impl Resolver {
             self.domain.classes[id].operations.push(self.domain.operations.len());
             let operation = Operation { name: name.text.clone(), parameters, sets: None, mentioned: false };
             self.domain.operations.push(operation);
+        }
+    }
+
+    /// That an operation is declared twice need not be plain: nobody has written the setter of an attribute.
+    fn explain_setter(&mut self, name: &ast::Name) {
+        if let Some(last) = self.diagnostics.last_mut() {
+            last.labels
+                .iter_mut()
+                .for_each(|label| label.1 = format!("`{}` exists because of this", name.text));
+            last.help =
+                Some("remove it: the setter of an attribute exists without being declared".to_owned());
         }
     }
 

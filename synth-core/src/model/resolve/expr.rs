@@ -90,8 +90,11 @@ impl Resolver {
             return;
         }
         let found = self.show_ty(found);
-        self.error(Code::TypeMismatch, span, format!("expected {wanted}, found {found}")).help =
-            Some(format!("write a value of {wanted} here, or change the declaration"));
+        let help = match wanted {
+            "`bool`" => "write a truth value here, or change the declaration".to_owned(),
+            _ => format!("write {wanted} here, or change the declaration"),
+        };
+        self.error(Code::TypeMismatch, span, format!("expected {wanted}, found {found}")).help = Some(help);
     }
 
     fn show_ty(&self, ty: Ty) -> String {

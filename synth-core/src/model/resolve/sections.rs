@@ -56,8 +56,11 @@ impl Resolver {
             if declared == 1 { "" } else { "s" },
             if given == 1 { "is" } else { "are" }
         );
-        self.error(Code::ArgumentCount, operation.span, message).help =
-            Some("give one argument for each parameter of the declaration".to_owned());
+        let help = match declared {
+            0 => format!("write `{}()`", operation.text),
+            _ => "give one argument for each parameter of the declaration".to_owned(),
+        };
+        self.error(Code::ArgumentCount, operation.span, message).help = Some(help);
     }
 
     fn endpoint(&mut self, name: &ast::Name) -> Option<(Endpoint, ClassId)> {

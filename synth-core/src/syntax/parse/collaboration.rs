@@ -43,7 +43,11 @@ impl Reader {
                     Item::Role(self.role(input)?)
                 } else {
                     scenario_seen.set(self.at_scenario(input));
-                    Item::Scenario(self.scenario(input)?)
+                    Item::Scenario(if self.at_scenario(input) || self.then(input, "scenario") {
+                        self.declares_nothing(|| self.scenario(input))?
+                    } else {
+                        self.scenario(input)?
+                    })
                 };
                 self.optional_separator(input);
                 Ok(item)
@@ -86,8 +90,13 @@ impl Reader {
                 return Err(error);
             }
         };
+        let word = self.word(input).unwrap_or_default();
         self.skip(input);
-        self.keyword(input, "scenario")?;
+        if !self.eat(input, "scenario") {
+            let mut error = self.expected(input, "`scenario`");
+            error.help.get_or_insert(format!("write `{word} scenario`"));
+            return Err(error);
+        }
         let name = self.name(input, "the name of the scenario")?;
         let bindings = self.bindings(input)?;
         if !input.peek(syn::token::Brace) {
@@ -145,6 +154,10 @@ impl Reader {
             Ok(fragments)
         })?;
         let constraints = if self.eat(input, "constraints") {
+            if input.peek(syn::token::Brace) {
+                let error = self.expected(input, "`[` and constraints");
+                return Err(Box::new(error.help("write `[ … ]` instead of `{ … }`")));
+            }
             self.brackets(input, "`[` and constraints", |inside| {
                 self.list(inside, |inside| self.constraint(inside))
             })?

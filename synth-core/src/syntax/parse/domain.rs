@@ -58,6 +58,10 @@ impl Reader {
         let base = if self.eat_punct(input, Token![:]) {
             Some(self.name(input, "the class to inherit from")?)
         } else {
+            if self.at_any(input, &["extends", "inherits"]) {
+                let error = self.expected(input, "`{` and the members of the class");
+                return Err(Box::new(error.help("write `:` and the class to inherit from")));
+            }
             None
         };
         let (mut attributes, mut operations) = (Vec::new(), Vec::new());
@@ -157,7 +161,7 @@ impl Reader {
         };
         let (effects, _) = self.braces(input, "`{` and effects", |inside| {
             Ok(self.items(inside, starts, |input| {
-                let effect = self.effect(input)?;
+                let effect = self.declares_nothing(|| self.effect(input))?;
                 self.optional_separator(input);
                 Ok(effect)
             }))
@@ -192,8 +196,9 @@ impl Reader {
         }
         self.keyword(input, "spontaneous")?;
         self.keyword(input, "events")?;
-        let (events, _) =
-            self.braces(input, "`{` and events", |inside| self.list(inside, |inside| self.event(inside)))?;
+        let (events, _) = self.braces(input, "`{` and events", |inside| {
+            self.list(inside, |inside| self.listed_event(inside))
+        })?;
         Ok(events)
     }
 
@@ -201,6 +206,16 @@ impl Reader {
         let class = self.name(input, "an event such as `Class.operation`")?;
         self.punct(input, Token![.], "`.` and the operation")?;
         Ok(EventRef { class, operation: self.name(input, "the operation")? })
+    }
+
+    /// One of the events of a list, which have no arguments.
+    fn listed_event(&self, input: ParseStream<'_>) -> Result<EventRef> {
+        let event = self.event(input)?;
+        if input.peek(syn::token::Paren) {
+            let error = self.expected(input, "an event such as `Class.operation`");
+            return Err(Box::new(error.help("remove the parentheses")));
+        }
+        Ok(event)
     }
 
     /// `ranges { range* }`.
@@ -216,6 +231,10 @@ impl Reader {
                     self.list(inside, |inside| {
                         let name = self.name(inside, "the name of a parameter")?;
                         self.punct(inside, Token![=], "`=` and the range of the parameter")?;
+                        if inside.peek(syn::LitInt) {
+                            let error = self.expected(inside, "`[` and the range of the parameter");
+                            return Err(Box::new(error.help("put the range into brackets: `[ … ]`")));
+                        }
                         let spans =
                             self.brackets(inside, "`[` and the range of the parameter", |inside| {
                                 if inside.is_empty() {

@@ -56,11 +56,12 @@ impl Reader {
                 Ok(FragmentKind::Assignment(name, self.expr(input)?))
             }
             "or" | "and" => {
-                let opening = if word == "or" { "alternative" } else { "parallel" };
+                let (opening, other) =
+                    if word == "or" { ("an `alternative`", "and") } else { ("a `parallel`", "or") };
                 let error = self.expected(input, "a fragment");
-                Err(Box::new(
-                    error.note(format!("`{word}` continues an `{opening}` that ends just before it")),
-                ))
+                let note = format!("`{word}` continues {opening} that ends just before it");
+                let help = format!("write `{other}`, or put {opening} in front");
+                Err(Box::new(error.note(note).help(help)))
             }
             "scenario" | "assumption" | "guarantee" | "existential" => {
                 let error = self.expected(input, "a fragment");
@@ -73,6 +74,9 @@ impl Reader {
                 Err(Box::new(error.help(help)))
             }
             _ => {
+                if let Some(error) = self.attribute_assignment(input) {
+                    return Err(error);
+                }
                 if let Some(help) = self.misspelt_fragment(input, &word) {
                     return Err(Box::new(self.expected(input, "a fragment").help(help)));
                 }
@@ -133,7 +137,11 @@ impl Reader {
         if input.peek(syn::token::Bracket) || input.peek(syn::token::Paren) {
             return self.condition(input);
         }
-        Err(self.expected(input, "`{`, or a condition in `[ … ]`"))
+        let mut error = self.expected(input, "`{`, or a condition in `[ … ]`");
+        if self.at(input, "if") {
+            error.help = Some("remove `if`".to_owned());
+        }
+        Err(error)
     }
 
     fn condition(&self, input: ParseStream<'_>) -> Result<Expr> {
@@ -188,6 +196,18 @@ impl Reader {
         };
         if modality.is_some() {
             self.skip(input);
+        }
+        if self.at(input, "wait") {
+            let (words, rest) = match (strict, modality_word) {
+                (true, "eventually") => ("wait strict eventually", true),
+                (true, "") => ("wait strict", true),
+                (false, "eventually") => ("wait eventually", true),
+                _ => ("", false),
+            };
+            if rest && !monitored {
+                let error = self.expected(input, "the sender of the message");
+                return Err(Box::new(error.help(format!("write `{words} [ … ]`"))));
+            }
         }
         if self.at_any(input, &MODIFIERS) {
             let taken = [(strict, "strict"), (monitored, "monitored"), (modality.is_some(), modality_word)];

@@ -13,12 +13,14 @@ use crate::suggest::nearest;
 use crate::syntax::keywords;
 
 /// Words of other languages, and what they are here.
-const FOREIGN: [(&str, &str); 8] = [
+const FOREIGN: [(&str, &str); 10] = [
     ("if", "alternative"),
     ("alt", "alternative"),
     ("switch", "alternative"),
     ("else", "or"),
     ("loop", "while"),
+    ("for", "while"),
+    ("repeat", "while"),
     ("par", "parallel"),
     ("fork", "parallel"),
     ("let", "var"),
@@ -136,6 +138,21 @@ impl Reader {
             return Some(format!("write `{meant}{condition}`"));
         }
         self.misspelt(input, words)
+    }
+
+    /// The error about an assignment to something that is no variable, `lamp.lit = …`, if one comes next.
+    pub(super) fn attribute_assignment(&self, input: ParseStream<'_>) -> Option<Box<Diagnostic>> {
+        let (_, rest) = input.cursor().ident()?;
+        let (_, rest) = rest.punct().filter(|(dot, _)| dot.as_char() == '.')?;
+        let (_, rest) = rest.ident()?;
+        let (assign, rest) = rest.punct().filter(|(assign, _)| assign.as_char() == '=')?;
+        let alone = assign.spacing() == proc_macro2::Spacing::Alone || rest.punct().is_none();
+        alone.then(|| {
+            let error = self.expected(input, "a fragment");
+            let note =
+                "only events change attributes: `sender -> receiver.setX(value)`, or any with an effect";
+            Box::new(error.note(note).help("put the assignment into the section `effects`"))
+        })
     }
 
     /// The modifiers that come next, in the order in which they are written, or what is wrong with them.

@@ -92,7 +92,8 @@ impl Reader {
                 self.report(*error);
             }
         }
-        Some(File { imports, name: name?, sections: sections?.0 })
+        let declares_all = self.declares_all();
+        Some(File { imports, name: name?, sections: sections?.0, declares_all })
     }
 
     fn import(&self, input: ParseStream<'_>) -> Result<Import> {
@@ -149,9 +150,9 @@ impl Reader {
                 })?;
                 Section::Controllable(Controllable { keyword: start, classes })
             }
-            "non" => Section::NonSpontaneous(self.non_spontaneous(input)?),
-            "parameter" => Section::ParameterRanges(self.parameter_ranges(input)?),
-            "channels" => Section::Channels(self.channels(input)?),
+            "non" => Section::NonSpontaneous(self.declares_nothing(|| self.non_spontaneous(input))?),
+            "parameter" => Section::ParameterRanges(self.declares_nothing(|| self.parameter_ranges(input))?),
+            "channels" => Section::Channels(self.declares_nothing(|| self.channels(input))?),
             _ => Section::Collaboration(self.collaboration(input)?),
         })
     }

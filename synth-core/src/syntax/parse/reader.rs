@@ -26,12 +26,22 @@ pub(super) struct Reader {
     depth: Cell<usize>,
     /// The first place where a brace was due.
     unbraced: Cell<Option<Pos>>,
+    /// Errors that cost no declaration.
+    harmless: Cell<usize>,
 }
 
 impl Reader {
     pub(super) fn new(file: FileId, end: Span) -> Self {
         let (errors, closing) = (RefCell::default(), RefCell::default());
-        Reader { file, end, errors, closing, depth: Cell::new(0), unbraced: Cell::new(None) }
+        Reader {
+            file,
+            end,
+            errors,
+            closing,
+            depth: Cell::new(0),
+            unbraced: Cell::new(None),
+            harmless: Cell::new(0),
+        }
     }
 
     pub(super) fn into_errors(self) -> (Vec<Diagnostic>, Option<Pos>) {
@@ -41,6 +51,20 @@ impl Reader {
     /// Remembers that the braces do not fit here.
     pub(super) fn unbraced(&self, input: ParseStream<'_>) {
         self.unbraced.set(self.unbraced.get().or_else(|| Some(self.span(input).start)));
+    }
+
+    /// Runs a rule for something that declares no name that others use: what is wrong with it costs nobody else.
+    pub(super) fn declares_nothing<T>(&self, rule: impl FnOnce() -> Result<T>) -> Result<T> {
+        let before = self.errors.borrow().len();
+        let result = rule();
+        let errors = self.errors.borrow().len() - before + usize::from(result.is_err());
+        self.harmless.set(self.harmless.get() + errors);
+        result
+    }
+
+    /// Whether everything that declares a name could be read so far.
+    pub(super) fn declares_all(&self) -> bool {
+        self.errors.borrow().len() == self.harmless.get()
     }
 
     pub(super) fn report(&self, error: Diagnostic) {
