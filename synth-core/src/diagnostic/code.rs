@@ -273,7 +273,7 @@ codes! {
     CoveredSiblings = 96, "a message with `bind` that catches more than it names",
         "All messages of a scenario count while a copy is active, and one with `bind v` matches every value. So after\n\
          `controller -> arm.moveTo(bind t)`, while a `strict` message is due, every other `moveTo` of that arm is \"another\n\
-         message of the scenario\" and violates it, not only `moveTo(t)`. Here some scenario asks for such an event at that\n\
+         message of the scenario\" and violates it, not only `moveTo(t)`. Here such an event is wanted or could come at that\n\
          moment. If it is to be forbidden, say so; if each value is to be followed on its own, say that others do not\n\
          concern the copy.\n\n\
          Wrong:  { ctl -> arm.moveTo(bind t)  strict eventually arm -> ctl.arrivedAt(t) }\n\

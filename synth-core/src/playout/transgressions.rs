@@ -1,11 +1,12 @@
-//! Events that guarantees ask for and that may not happen.
+//! Events that guarantees ask for, or the environment could send, and that may not happen.
 
 use super::events::EventId;
 use super::turn::Urgency;
 use super::{Config, Playout, Step};
 use crate::game::Turn;
+use crate::model::OperationId;
 
-/// An event of the system that is asked for when the turn is decided, and violates something.
+/// An event that is asked for, or could come, when the turn is decided, and violates something.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Transgression {
     /// The event.
@@ -41,6 +42,35 @@ impl Playout<'_> {
         let mut step = Step::default();
         for event in asked {
             if !self.is_linked(config, event) {
+                continue;
+            }
+            self.step(config, event, &mut step);
+            if !step.violated.is_empty() && step.error.is_none() {
+                found.push(Transgression { event, violated: std::mem::take(&mut step.violated) });
+            }
+        }
+    }
+
+    /// The spontaneous events of one operation, ascending.
+    pub fn spontaneous(&self, operation: OperationId) -> impl Iterator<Item = EventId> {
+        self.events.universe().filter(move |&event| {
+            let event = self.events.get(event);
+            event.spontaneous && event.operation == operation
+        })
+    }
+
+    /// Those of `events` that the environment does not send in `config` since they violate something. They are its
+    /// candidates; events for which `is_fine` holds are known to violate nothing.
+    pub fn excluded(
+        &mut self,
+        config: &Config,
+        events: &[EventId],
+        is_fine: impl Fn(EventId) -> bool,
+        found: &mut Vec<Transgression>,
+    ) {
+        let mut step = Step::default();
+        for &event in events {
+            if is_fine(event) || !self.is_linked(config, event) {
                 continue;
             }
             self.step(config, event, &mut step);

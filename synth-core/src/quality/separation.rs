@@ -6,8 +6,8 @@ use super::reads::{patterns, players};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::explore::Explored;
 use crate::game::Turn;
-use crate::model::{Argument, Kind, NodeId, NodeKind, Scenario, Spec, UNSET};
-use crate::playout::{Config, Copy, EventId, Playout, Step, Transgression};
+use crate::model::{Argument, Kind, Message, NodeId, NodeKind, RoleRef, Scenario, Spec, UNSET};
+use crate::playout::{Config, Copy, CopyId, EventId, Playout, Step, Transgression};
 use std::collections::BTreeSet;
 
 /// Looks at every state of the game.
@@ -18,6 +18,7 @@ pub(super) fn breaches(explored: &mut Explored<'_>) -> Vec<Diagnostic> {
         binding: indices(spec, |scenario| scenario.kind != Kind::Existential && binds(scenario)),
         warnings: Vec::new(),
     };
+    let mut siblings = Siblings::new(&explored.playout);
     if search.breakable.is_empty() && search.binding.is_empty() {
         return Vec::new();
     }
@@ -31,6 +32,9 @@ pub(super) fn breaches(explored: &mut Explored<'_>) -> Vec<Diagnostic> {
         };
         breaches.clear();
         playout.transgressions(&config, game.turn[state as usize], is_fine, &mut breaches);
+        if game.turn[state as usize] == Turn::EnvironmentAny {
+            siblings.excluded(playout, &config, &search.binding, is_fine, &mut breaches);
+        }
         if !search.binding.is_empty() {
             let lost = game.edges_of(state).filter(|&edge| target(edge) == Turn::Lost);
             breaches.extend(lost.map(|edge| violation(playout, &config, game.label[edge])));
@@ -58,13 +62,63 @@ fn can_break(spec: &Spec, scenario: &Scenario) -> bool {
 }
 
 fn binds(scenario: &Scenario) -> bool {
-    scenario.messages().any(|m| m.arguments.iter().any(|argument| matches!(argument, Argument::Bind(_))))
+    scenario.messages().any(has_bind)
+}
+
+fn has_bind(message: &Message) -> bool {
+    message.arguments.iter().any(|argument| matches!(argument, Argument::Bind(_)))
 }
 
 fn violation(playout: &mut Playout<'_>, config: &Config, event: EventId) -> Transgression {
     let mut step = Step::default();
     playout.step(config, event, &mut step);
     Transgression { event, violated: step.violated }
+}
+
+/// The environment's events that a message with `bind` of an assumption takes.
+struct Siblings {
+    /// Per such assumption, by its index.
+    events: Vec<(usize, Vec<EventId>)>,
+    /// Copies that were asked already. What a copy excludes hardly depends on the rest of the state.
+    asked: BTreeSet<CopyId>,
+}
+
+impl Siblings {
+    fn new(playout: &Playout<'_>) -> Self {
+        let assumptions =
+            indices(playout.spec(), |scenario| scenario.kind == Kind::Assumption && binds(scenario));
+        let of = |index: usize| {
+            let bound = playout.spec().scenarios[index].messages().filter(|message| has_bind(message));
+            let operations: BTreeSet<usize> = bound.map(|message| message.operation).collect();
+            operations.into_iter().flat_map(|operation| playout.spontaneous(operation)).collect()
+        };
+        let events = assumptions.into_iter().map(|index| (index, of(index))).collect();
+        Siblings { events, asked: BTreeSet::new() }
+    }
+
+    /// Those that violate the assumption, where a copy of it is at something strict for the first time.
+    fn excluded(
+        &mut self,
+        playout: &mut Playout<'_>,
+        config: &Config,
+        binding: &BTreeSet<usize>,
+        is_fine: impl Fn(EventId) -> bool,
+        found: &mut Vec<Transgression>,
+    ) {
+        for (index, events) in self.events.iter().filter(|(index, _)| binding.contains(index)) {
+            let scenario = &playout.spec().scenarios[*index];
+            let mut new = false;
+            for &id in &config.copies {
+                let copy = playout.copy(id);
+                let is_due =
+                    copy.scenario == *index && copy.cut.iter().any(|&node| is_strict(scenario, node));
+                new |= is_due && self.asked.insert(id);
+            }
+            if new {
+                playout.excluded(config, events, &is_fine, found);
+            }
+        }
+    }
 }
 
 struct Search {
@@ -167,26 +221,25 @@ fn covered(playout: &Playout<'_>, config: &Config, event: EventId, index: usize)
         let operation = &spec.domain.operations[event.operation].name;
         let place = scenario.nodes[usize::from(strict)].span;
         let text = format!("`{}` violates `{}`, although it has another argument", event.text, scenario.name);
-        Some(
-            Diagnostic::warning(Code::CoveredSiblings, message.span, text)
-                .label(
-                    "with `bind` this stands for every value, and counts as long as the scenario is active",
-                )
-                .also(place, format!("while this is due, any other `{operation}` is a violation"))
-                .help(format!(
-                    "write `constraints [ ignore {0} ]` if other values are none of its business, or \
-                     `forbidden` if they are",
-                    pattern(spec, scenario, message)
-                )),
-        )
+        let label = "with `bind` this stands for every value, and counts as long as the scenario is active";
+        let warning = Diagnostic::warning(Code::CoveredSiblings, message.span, text)
+            .label(label)
+            .also(place, format!("while this is due, any other `{operation}` is a violation"))
+            .help(format!(
+                "write `constraints [ ignore {0} ]` if other values are none of its business, or `forbidden` if they are",
+                pattern(spec, scenario, message)
+            ));
+        let is_promise = scenario.kind == Kind::Assumption && !event.controllable;
+        let promise = "so this promises that the environment does not send it then";
+        Some(if is_promise { warning.note(promise) } else { warning })
     })
 }
 
 /// The message with `*` for every argument.
-fn pattern(spec: &Spec, scenario: &Scenario, message: &crate::model::Message) -> String {
+fn pattern(spec: &Spec, scenario: &Scenario, message: &Message) -> String {
     let role = |role| match role {
-        crate::model::RoleRef::Object(object) => &spec.domain.objects[object].name,
-        crate::model::RoleRef::Dynamic(role) => &scenario.roles[role].name,
+        RoleRef::Object(object) => &spec.domain.objects[object].name,
+        RoleRef::Dynamic(role) => &scenario.roles[role].name,
     };
     let stars = vec!["*"; message.arguments.len()].join(", ");
     let operation = &spec.domain.operations[message.operation].name;

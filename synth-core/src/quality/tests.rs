@@ -442,6 +442,27 @@ fn what_a_constraint_says_is_meant() {
     count_covered(" constraints [ forbidden ctl -> arm.to(*) ]", 0);
 }
 
+#[test]
+fn a_bound_argument_of_the_environment_covers_its_siblings() {
+    let text = |strict: &str| {
+        let mark = if strict.is_empty() {
+            ""
+        } else {
+            "  ~~~~~~~~~~~~~~~~~~~~~~~~~ `arm -> ctl.at(right)` violates `C.A`, although it has another argument\n"
+        };
+        format!(
+            "guarantee scenario G {{ arm -> ctl.at(*) urgent ctl -> arm.go() }}
+assumption scenario A {{
+  var Place place
+  arm -> ctl.at(bind place)
+{mark}  {strict} user -> ctl.press()
+}}"
+        )
+    };
+    check_body(96, &text("strict"));
+    check_body(96, &text(""));
+}
+
 // 97: declarations.
 
 #[test]
