@@ -7,7 +7,7 @@ use sml_tests::random::{Features, Options, specification};
 use sml_tests::survive::shape;
 use sml_tests::{corpus, survive};
 use synth_core::syntax::ast::{File, Section};
-use synth_core::syntax::print;
+use synth_core::syntax::{RESERVED, print};
 
 /// `SML_SEEDS=10000` for a long run.
 fn seeds(usual: u64) -> u64 {
@@ -42,54 +42,10 @@ fn sentences_of_the_whole_grammar() {
         let printed = print(&tree);
         words.extend(printed.split(|c: char| !c.is_alphanumeric()).map(str::to_owned));
     }
-    for keyword in KEYWORDS {
+    for &keyword in RESERVED {
         assert!(words.contains(keyword), "`{keyword}` occurs in no sentence");
     }
 }
-
-/// Those of the printed form.
-const KEYWORDS: [&str; 40] = [
-    "abstract",
-    "alternative",
-    "and",
-    "assumption",
-    "bind",
-    "bindings",
-    "bool",
-    "channels",
-    "class",
-    "collaboration",
-    "committed",
-    "consider",
-    "constraints",
-    "controllable",
-    "domain",
-    "dynamic",
-    "effects",
-    "enum",
-    "eventually",
-    "existential",
-    "false",
-    "forbidden",
-    "guarantee",
-    "ignore",
-    "import",
-    "interrupt",
-    "monitored",
-    "non",
-    "null",
-    "object",
-    "or",
-    "parallel",
-    "parameter",
-    "requested",
-    "static",
-    "strict",
-    "urgent",
-    "var",
-    "violation",
-    "wait",
-];
 
 fn requirements(section: &Section) -> usize {
     let Section::Collaboration(collaboration) = section else { return 0 };

@@ -7,7 +7,7 @@ use crate::diagnostic::{Code, Diagnostic};
 ///
 /// Words that only continue a construct (`events`, `over`, `to`, …) and those of older spellings (`message`,
 /// `system`, …) are told from names by their place.
-const RESERVED: &[&str] = &[
+pub const RESERVED: &[&str] = &[
     "abstract",
     "alternative",
     "and",

@@ -22,6 +22,7 @@ use crate::diagnostic::{Code, Diagnostic};
 
 use parse::Parsed;
 
+pub use keywords::RESERVED;
 pub use load::{Loaded, Reader, load, load_imports};
 pub use print::print;
 pub use sources::Sources;
