@@ -56,7 +56,7 @@ pub fn of_game(explored: &mut Explored<'_>) -> Vec<Diagnostic> {
 }
 
 /// Warnings about the system under a winning strategy, in the order of their places. `controller` does what the
-/// strategy does and has no states that no environment can tell apart; `warned` is what [`of_game`] gave.
+/// strategy does and has no states that no environment can tell apart; `warned` is what is known from [`of_game`].
 #[must_use]
 pub fn of_controller(
     explored: &mut Explored<'_>,
@@ -71,7 +71,8 @@ pub fn of_controller(
     warnings
 }
 
-/// Warnings about assumptions that a realizable specification does not need. `warned` is what [`of_game`] gave.
+/// Warnings about assumptions that a realizable specification does not need. `warned` is what is known from [`of_text`] and
+/// [`of_game`].
 ///
 /// Explores and solves once more for each assumption; nothing is said of a specification for which that is too much.
 #[must_use]
