@@ -72,7 +72,8 @@ fn check(name: &str, tables: &Tables) {
     assert_eq!(rust, expected, "{name}, Rust");
     for drain in [false, true] {
         for integers in [st_emitter::Integers::Unsigned, st_emitter::Integers::Signed] {
-            let options = st_emitter::Options { drain, integers, ..st_emitter::Options::default() };
+            let encoding = st_emitter::Encoding::Rows;
+            let options = st_emitter::Options { drain, integers, encoding, ..st_emitter::Options::default() };
             let text = st_emitter::text(tables, &options).expect("it fits");
             let st = st::read(&text, &st_emitter::names(tables, &options));
             assert_eq!(st, rust, "{name}, Structured Text");

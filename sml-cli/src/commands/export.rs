@@ -58,6 +58,9 @@ struct StructuredText {
     /// Structured Text: a call does all super steps that are due, up to a second command to a component
     #[arg(long)]
     drain: bool,
+    /// Structured Text: how the tables hold transitions
+    #[arg(long, value_enum)]
+    encoding: Option<Encoding>,
 }
 
 /// What can be written; most are to come.
@@ -118,6 +121,14 @@ enum Integers {
     Signed,
 }
 
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Encoding {
+    /// One array of targets, and runs of consecutive states
+    Runs,
+    /// Two arrays per event, as published
+    Rows,
+}
+
 /// Makes the text of a target, or says why the target cannot hold the controller.
 type Writer = fn(&Tables, &Controller, &st::Options) -> Result<String, String>;
 
@@ -128,6 +139,9 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
             "options of Structured Text mean nothing to target `{}`",
             arguments.target
         )));
+    }
+    if arguments.target == Target::Case && arguments.text.encoding.is_some() {
+        return Err(Failure::usage("target `case` has no tables that `--encoding` could mean".to_owned()));
     }
     if arguments.templates.is_some() {
         return Err(Failure::unsupported("--templates"));
@@ -190,7 +204,11 @@ fn compare(path: &Path, text: &str, arguments: &Arguments) -> Result<(), Failure
 
 impl StructuredText {
     fn is_given(&self) -> bool {
-        self.trigger.is_some() || self.unexpected.is_some() || self.integers.is_some() || self.drain
+        self.trigger.is_some()
+            || self.unexpected.is_some()
+            || self.integers.is_some()
+            || self.drain
+            || self.encoding.is_some()
     }
 
     fn options(&self, target: Target) -> st::Options {
@@ -209,6 +227,10 @@ impl StructuredText {
                 Some(Unexpected::Drop) => st::Unexpected::Drop,
                 Some(Unexpected::Fault) => st::Unexpected::Fault,
                 Some(Unexpected::Keep) | None => st::Unexpected::Keep,
+            },
+            encoding: match self.encoding {
+                Some(Encoding::Rows) => st::Encoding::Rows,
+                Some(Encoding::Runs) | None => st::Encoding::Runs,
             },
         }
     }

@@ -51,11 +51,20 @@ fn verify_finds_what_starves() {
     assert!(!found["loop"].as_array().expect("a loop").is_empty(), "{found}");
 }
 
+const BLANK_ARRIVED: &str = "feedBelt -> controller.blankArrived()";
+
+/// Where `BLANK_ARRIVED` leads from the initial state.
+fn first_due(controller: &Value) -> &Value {
+    let rows = controller["environment"][BLANK_ARRIVED].as_array().expect("rows");
+    let row = rows.iter().find(|row| row[0] == controller["initial"]);
+    &row.expect("it is the first event")[1]
+}
+
 #[test]
 fn verify_refuses_an_event_accepted_before_a_due_super_step() {
     let mut broken = sml("synth production_cell/spec.sml").json();
-    let due = broken["supersteps"][0][0].clone();
-    let event = "feedBelt -> controller.blankArrived()";
+    let due = first_due(&broken).clone();
+    let event = BLANK_ARRIVED;
     broken["environment"][event].as_array_mut().expect("rows").push(json!([due, 0]));
     let run = sml_reading("verify production_cell/spec.sml - --format json", broken.to_string().as_bytes());
     let found = run.json();
@@ -65,7 +74,10 @@ fn verify_refuses_an_event_accepted_before_a_due_super_step() {
 #[test]
 fn verify_shows_the_play_to_a_command_that_nobody_knows() {
     let mut broken = sml("synth production_cell/spec.sml").json();
-    broken["supersteps"][0][2] = json!(["controller -> feedArm.dance()"]);
+    let due = first_due(&broken).clone();
+    let steps = broken["supersteps"].as_array_mut().expect("rows");
+    let step = steps.iter_mut().find(|step| step[0] == due).expect("it is due");
+    step[2] = json!(["controller -> feedArm.dance()"]);
     broken["components"]["feedArm"]["controller -> feedArm.dance()"] = json!(5);
     for components in [broken["components"].clone(), json!({})] {
         broken["components"] = components;
@@ -73,7 +85,7 @@ fn verify_shows_the_play_to_a_command_that_nobody_knows() {
             sml_reading("verify production_cell/spec.sml - --format json", broken.to_string().as_bytes());
         let found = run.json();
         assert_eq!((run.code, &found["verified"]), (1, &json!(false)));
-        assert_eq!(found["play"], json!(["feedBelt -> controller.blankArrived()"]), "{found}");
+        assert_eq!(found["play"], json!([BLANK_ARRIVED]), "{found}");
     }
 }
 

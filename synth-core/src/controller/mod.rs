@@ -8,13 +8,16 @@ mod fixtures;
 #[cfg(feature = "json")]
 pub mod json;
 pub mod minimize;
+pub mod number;
 mod partition;
+pub mod runs;
 pub mod stimulus;
 pub mod super_steps;
 pub mod tables;
 
 pub use alphabet::{Alphabet, Letter};
 pub use minimize::{Level, minimize};
+pub use number::number;
 pub use super_steps::{EndlessSuperStep, interface, merge};
 
 /// An event of the controlled system, taken apart.

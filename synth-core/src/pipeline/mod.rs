@@ -11,7 +11,7 @@ pub use figures::Figures;
 pub use origin::{alphabet, provenance};
 
 use crate::controller::tables::Tables;
-use crate::controller::{Controller, EndlessSuperStep, Level, merge, minimize};
+use crate::controller::{Controller, EndlessSuperStep, Level, merge, minimize, number};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::explain::explain;
 use crate::explore::{Explored, Limits, explore};
@@ -162,6 +162,7 @@ pub fn synthesize(
     let raw =
         raw.map_err(|endless| Failure::Wrong(vec![endless::diagnostic(explored, &strategy, endless)]))?;
     let controller = timings.stage("minimise", || minimize(&raw, options.level));
+    let controller = timings.stage("number", || number(controller));
     // The limit on states was kept by exploration. The product has a node of its own for each way into a super step.
     let spec = explored.playout.spec();
     let verify = |controller| verify(spec, options.semantics, controller, MOST_NODES);

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use synth_core::controller::Event;
 use synth_core::controller::tables::{ComponentTable, EventTable, Mapping, Provenance, Tables};
-use synth_core::emit::st::{Integers, Options, Target, Trigger, Unexpected};
+use synth_core::emit::st::{Encoding, Integers, Options, Target, Trigger, Unexpected};
 
 /// An event of which only the text matters.
 pub(crate) fn event(text: &str) -> Event {
@@ -45,13 +45,15 @@ pub(crate) fn any_options() -> impl Strategy<Value = Options> {
     let trigger = prop::sample::select(vec![Trigger::Edge, Trigger::Level]);
     let integers = prop::sample::select(vec![Integers::Unsigned, Integers::Signed]);
     let unexpected = prop::sample::select(vec![Unexpected::Keep, Unexpected::Drop, Unexpected::Fault]);
-    (target, trigger, integers, any::<bool>(), unexpected).prop_map(
-        |(target, trigger, integers, drain, unexpected)| Options {
+    let encoding = prop::sample::select(vec![Encoding::Runs, Encoding::Rows]);
+    (target, trigger, integers, any::<bool>(), unexpected, encoding).prop_map(
+        |(target, trigger, integers, drain, unexpected, encoding)| Options {
             target,
             trigger,
             integers,
             drain,
             unexpected,
+            encoding,
         },
     )
 }

@@ -6,35 +6,86 @@ mod reader;
 use fixture::{any_options, any_tables, event, lamp};
 use proptest::prelude::*;
 use reader::{Arrays, arrays, lint, tokens, without_comments};
-use synth_core::controller::tables::{Requirement, Tables};
-use synth_core::emit::st::{self, Integers, Options, Target, Trigger, Unexpected, Unfit};
+use synth_core::controller::tables::{Mapping, Requirement, Tables};
+use synth_core::emit::st::{self, Encoding, Integers, Options, Target, Trigger, Unexpected, Unfit};
 
 fn written(tables: &Tables, options: &Options) -> String {
     st::text(tables, options).expect("the fixture fits")
 }
 
+/// Takes an array out of those that were found; its upper bound is the last index.
+#[track_caller]
+fn take(found: &mut Arrays, name: &str) -> Vec<u32> {
+    let (bound, values) = found.remove(name).unwrap_or_else(|| panic!("no array {name}"));
+    assert_eq!(bound + 1, values.len(), "upper bound of {name}");
+    values
+}
+
 /// Every array of the text is one of the tables and holds its numbers, and none is missing.
-fn check_arrays(tables: &Tables, text: &str, names: &st::NameMap) {
+#[track_caller]
+fn check_arrays(tables: &Tables, text: &str, options: &Options) {
     let mut found: Arrays = arrays(text);
-    let mut take = |name: String, values: &[u32]| {
-        let (bound, read) = found.remove(&name).unwrap_or_else(|| panic!("no array {name}"));
-        assert_eq!(read, values, "{name}");
-        assert_eq!(bound + 1, values.len(), "upper bound of {name}");
-    };
+    match options.encoding {
+        Encoding::Rows => check_rows(tables, &mut found, &st::names(tables, options)),
+        Encoding::Runs => check_runs(tables, text, &mut found),
+    }
+    assert!(found.is_empty(), "left over: {found:?}");
+}
+
+#[track_caller]
+fn check_rows(tables: &Tables, found: &mut Arrays, names: &st::NameMap) {
     for (table, (_, input)) in tables.events.iter().zip(&names.events) {
         if !table.mapping.source.is_empty() {
-            take(format!("{input}_source"), &table.mapping.source);
-            take(format!("{input}_target"), &table.mapping.target);
+            assert_eq!(take(found, &format!("{input}_source")), table.mapping.source);
+            assert_eq!(take(found, &format!("{input}_target")), table.mapping.target);
         }
     }
     if !tables.super_steps.source.is_empty() {
-        take("source".to_owned(), &tables.super_steps.source);
-        take("target".to_owned(), &tables.super_steps.target);
+        assert_eq!(take(found, "source"), tables.super_steps.source);
+        assert_eq!(take(found, "target"), tables.super_steps.target);
         for component in &tables.components {
-            take(format!("{}Target", component.object), &component.codes);
+            assert_eq!(take(found, &format!("{}Target", component.object)), component.codes);
         }
     }
-    assert!(found.is_empty(), "left over: {found:?}");
+}
+
+/// Runs, written out row by row, give the tables.
+#[track_caller]
+fn check_runs(tables: &Tables, text: &str, found: &mut Arrays) {
+    let has_rows = tables.events.iter().any(|table| !table.mapping.source.is_empty());
+    if !has_rows && tables.super_steps.source.is_empty() {
+        return;
+    }
+    let (state, row, target) = (take(found, "run_state"), take(found, "run_row"), take(found, "target"));
+    let written_out = |runs: std::ops::Range<u32>, base: u32| {
+        let mut mapping = Mapping::default();
+        for run in runs.start as usize..runs.end as usize {
+            for at in row[run]..row[run + 1] {
+                mapping.source.push(state[run] + at - row[run]);
+                mapping.target.push(base + target[at as usize]);
+            }
+        }
+        mapping
+    };
+    let mut super_steps = 0;
+    if has_rows {
+        let (first, base) = (take(found, "event_run"), take(found, "event_base"));
+        for (event, table) in tables.events.iter().enumerate() {
+            assert_eq!(written_out(first[event]..first[event + 1], base[event]), table.mapping);
+        }
+        super_steps = first[tables.events.len()];
+    }
+    let base = text.split("state := ").find_map(|rest| rest.split_once(" + ")?.0.parse().ok());
+    let end = state.len() as u32;
+    assert_eq!(written_out(super_steps..end, base.unwrap_or(0)), tables.super_steps);
+    if super_steps < end {
+        for component in &tables.components {
+            let codes = take(found, &format!("{}Target", component.object)).into_iter();
+            let lengths = (super_steps as usize..end as usize).map(|run| row[run + 1] - row[run]);
+            let codes = codes.zip(lengths).flat_map(|(code, rows)| vec![code; rows as usize]);
+            assert_eq!(codes.collect::<Vec<_>>(), component.codes);
+        }
+    }
 }
 
 proptest! {
@@ -44,7 +95,7 @@ proptest! {
             Ok(text) => {
                 lint(&text);
                 if options.target != Target::Case {
-                    check_arrays(&tables, &text, &st::names(&tables, &options));
+                    check_arrays(&tables, &text, &options);
                 }
             }
             Err(unfit) => prop_assert!(options.drain && matches!(unfit, Unfit::EndlessDrain { .. }), "{unfit}"),
@@ -92,10 +143,11 @@ fn snapshots() {
 #[test]
 fn to_generate_again_the_options_are_named() {
     let (trigger, integers, unexpected) = (Trigger::Level, Integers::Signed, Unexpected::Fault);
-    let options = Options { target: Target::Siemens, trigger, integers, drain: true, unexpected };
+    let encoding = Encoding::Rows;
+    let options = Options { target: Target::Siemens, trigger, integers, drain: true, unexpected, encoding };
     let flat = |options| written(&lamp(), options).replace(" *)\n(* ", " ");
     assert!(flat(&options).contains(
-        "sml export specs/lamp.sml --target siemens --trigger level --integers signed --drain --unexpected fault"
+        "sml export specs/lamp.sml --target siemens --trigger level --integers signed --drain --unexpected fault --encoding rows"
     ));
     assert!(written(&lamp(), &Options::default()).contains("sml export specs/lamp.sml --target iec *)"));
 }
@@ -194,7 +246,7 @@ fn internal_arrays_give_way_to_inputs() {
         vec![fixture::table("a -> b.c()", &[0], &[1]), fixture::table("a -> b.c(source)", &[0], &[1])];
     let names = st::names(&tables, &Options::default());
     assert_eq!(names.events[1].1, "a_b_c_source");
-    let found = arrays(&written(&tables, &Options::default()));
+    let found = arrays(&written(&tables, &Options { encoding: Encoding::Rows, ..Options::default() }));
     assert!(found.contains_key("a_b_c_source_2") && found.contains_key("a_b_c_source_source"), "{found:?}");
 }
 
@@ -210,10 +262,7 @@ fn narrowest_types() {
     ] {
         tables.states = states;
         let text = written(&tables, &Options { integers, ..Options::default() });
-        assert!(
-            text.contains(&format!("button_control_press_source : ARRAY [0..1] OF {element} := [")),
-            "{text}"
-        );
+        assert!(text.contains(&format!("target : ARRAY [0..4] OF {element} := [")), "{text}");
         assert!(text.contains(&format!("state : {element} := 0;")), "{text}");
         assert!(text.contains(conversion), "{text}");
     }
@@ -259,17 +308,21 @@ fn events_without_rows_are_not_searched() {
     tables.events[0].mapping = Default::default();
     let text = written(&tables, &Options::default());
     lint(&text);
-    check_arrays(&tables, &text, &st::names(&tables, &Options::default()));
-    assert!(text.contains("pending[0] := TRUE;") && !text.contains("IF pending[0] THEN"));
+    check_arrays(&tables, &text, &Options::default());
+    assert!(text.contains("IF pending[event] AND event_run[event] < event_run[event + 1] THEN"));
+    let rows = Options { encoding: Encoding::Rows, ..Options::default() };
+    let text = written(&tables, &rows);
+    check_arrays(&tables, &text, &rows);
+    assert!(text.contains("IF pending[1] THEN") && !text.contains("IF pending[0] THEN"));
 }
 
 #[test]
 fn trigger() {
     let edge = written(&lamp(), &Options::default());
-    assert!(edge.contains("IF button_control_press AND NOT previous[0] THEN"));
-    assert!(edge.contains("previous[0] := button_control_press;"));
+    assert!(edge.contains("IF raised[index] AND NOT previous[index] THEN"));
+    assert!(edge.contains("previous := raised;"));
     let level = written(&lamp(), &Options { trigger: Trigger::Level, ..Options::default() });
-    assert!(level.contains("IF button_control_press THEN") && !level.contains("previous"));
+    assert!(level.contains("IF raised[index] THEN") && !level.contains("previous"));
 }
 
 #[test]

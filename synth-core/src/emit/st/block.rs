@@ -2,24 +2,40 @@
 
 use super::dialect::Dialect;
 use super::integer::{Integer, Types};
+use super::layout::Layout;
 use super::names::{EventNames, Names, OutputNames, STATE_NO};
 use super::writer::Writer;
-use super::{Options, Trigger, Unexpected};
+use super::{Options, Trigger, Unexpected, Unfit, fit};
+use crate::controller::runs::Runs;
 use crate::controller::tables::{Mapping, Tables};
 
 /// All that is known when a text is written.
 pub(super) struct Block<'a> {
     pub(super) tables: &'a Tables,
     pub(super) options: &'a Options,
-    pub(super) names: &'a Names,
-    pub(super) types: &'a Types,
+    pub(super) names: Names,
+    pub(super) types: Types,
+    pub(super) runs: Runs,
+}
+
+impl<'a> Block<'a> {
+    /// # Errors
+    ///
+    /// What the target cannot hold.
+    pub(super) fn new(tables: &'a Tables, options: &'a Options) -> Result<Block<'a>, Unfit> {
+        fit::check(tables, options)?;
+        let runs = Runs::of(tables);
+        let layout = options.target.dialect().layout(options.encoding);
+        let types = Types::of(tables, options.integers, layout.largest_index(tables, &runs))?;
+        Ok(Block { tables, options, names: Names::new(tables, options.target), types, runs })
+    }
 }
 
 impl Block<'_> {
     /// Writes the type of `pending` and the function block, an empty line last.
     pub(super) fn write(&self, out: &mut Writer) {
-        let Dialect { frame, layout, .. } = self.dialect();
-        frame.declare_events(out, self.names, self.last_event());
+        let (frame, layout) = (self.dialect().frame, self.layout());
+        frame.declare_events(out, &self.names, self.last_event());
         layout.functions(out, self);
         let variables = |out: &mut Writer| {
             self.interface(out, true);
@@ -31,6 +47,10 @@ impl Block<'_> {
 
     pub(super) fn dialect(&self) -> &'static Dialect {
         self.options.target.dialect()
+    }
+
+    pub(super) fn layout(&self) -> &'static dyn Layout {
+        self.dialect().layout(self.options.encoding)
     }
 
     /// The events that occur in some row, with their indices.
@@ -66,7 +86,7 @@ impl Block<'_> {
     }
 
     fn events_type(&self) -> String {
-        self.dialect().frame.events_type(self.names, self.last_event())
+        self.dialect().frame.events_type(&self.names, self.last_event())
     }
 
     /// `VAR_INPUT` and `VAR_OUTPUT` of the function block and, without initial values, of the program.
@@ -93,13 +113,14 @@ impl Block<'_> {
     fn variables(&self, out: &mut Writer) {
         out.block("VAR", "END_VAR", |out| {
             out.line(format_args!("state : {} := {};", self.types.state.keyword(), self.tables.initial));
-            if self.options.trigger == Trigger::Edge && !self.names.events.is_empty() {
-                out.line(format_args!("previous : {};", self.events_type()));
-            }
             if !self.names.events.is_empty() {
+                out.line(format_args!("raised : {};", self.events_type()));
+                if self.options.trigger == Trigger::Edge {
+                    out.line(format_args!("previous : {};", self.events_type()));
+                }
                 out.line(format_args!("index : {};", self.types.index.keyword()));
             }
-            self.dialect().layout.variables(out, self);
+            self.layout().variables(out, self);
             if self.has_rows() {
                 out.line("changed : BOOL;");
             }
@@ -122,6 +143,9 @@ impl Block<'_> {
         if !faults {
             out.code("#unexpected := FALSE;");
         }
+        for (index, event) in self.names.events.iter().enumerate() {
+            out.code(format_args!("#raised[{index}] := #{};", event.input));
+        }
         out.gap();
         out.code("IF #reset THEN");
         out.indented(|out| self.reset(out));
@@ -131,11 +155,8 @@ impl Block<'_> {
             out.indented(|out| self.run(out));
         }
         out.code("END_IF;");
-        out.gap();
-        if self.options.trigger == Trigger::Edge {
-            for (index, event) in self.names.events.iter().enumerate() {
-                out.code(format_args!("#previous[{index}] := #{};", event.input));
-            }
+        if self.options.trigger == Trigger::Edge && !self.names.events.is_empty() {
+            out.code("#previous := #raised;");
         }
         let state = self.types.state.converted(self.types.state_no, "#state");
         out.code(format_args!("#{STATE_NO} := {state};"));
@@ -158,9 +179,7 @@ impl Block<'_> {
     }
 
     fn run(&self, out: &mut Writer) {
-        for (index, event) in self.names.events.iter().enumerate() {
-            self.raise(out, index, &event.input);
-        }
+        self.for_each_event(out, |out| self.raise(out));
         if self.drains() {
             out.repeat("#done", |out| self.cycle(out));
         } else {
@@ -169,19 +188,19 @@ impl Block<'_> {
         self.refuse(out);
     }
 
-    fn raise(&self, out: &mut Writer, index: usize, input: &str) {
+    fn raise(&self, out: &mut Writer) {
         let raised = match self.options.trigger {
-            Trigger::Edge => format!("#{input} AND NOT #previous[{index}]"),
-            Trigger::Level => format!("#{input}"),
+            Trigger::Edge => "#raised[#index] AND NOT #previous[#index]",
+            Trigger::Level => "#raised[#index]",
         };
         out.when(raised, |out| {
-            out.code(format_args!("#overrun := #overrun OR #pending[{index}];"));
-            out.code(format_args!("#pending[{index}] := TRUE;"));
+            out.code("#overrun := #overrun OR #pending[#index];");
+            out.code("#pending[#index] := TRUE;");
         });
     }
 
     fn cycle(&self, out: &mut Writer) {
-        let layout = self.dialect().layout;
+        let layout = self.layout();
         if self.has_rows() {
             layout.consume(out, self);
         }

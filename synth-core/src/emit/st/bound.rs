@@ -98,9 +98,9 @@ pub(super) fn call(block: &Block<'_>) -> Cost {
 
 /// A call that runs.
 fn run(block: &Block<'_>) -> Cost {
-    let cost = block.dialect().layout.cost(block);
+    let cost = block.layout().cost(block);
     let events = block.events().count() as u64;
-    let raise = Cost::statements(3 * block.names.events.len() as u64);
+    let raise = each_event(block, 3);
     // Unexpected events are looked for only if no super step is due.
     let waits = cost.wait + refuse(block);
     if block.drains() {
@@ -135,11 +135,12 @@ fn consume(cost: &LayoutCost, cycles: u64, consumed: u64) -> Cost {
     total
 }
 
-/// What every call does: outputs, `overrun`, `unexpected`, `IF reset`, `previous`, `state_no`.
+/// What every call does: outputs, `overrun`, `unexpected`, `raised`, `IF reset`, `previous`, `state_no`.
 fn frame(block: &Block<'_>) -> Cost {
     let clears = u64::from(block.options.unexpected != Unexpected::Fault);
-    let edges = if block.options.trigger == Trigger::Edge { block.names.events.len() } else { 0 };
-    Cost::statements(block.names.components.len() as u64 + 3 + clears + edges as u64)
+    let (events, components) = (block.names.events.len() as u64, block.names.components.len() as u64);
+    let edges = u64::from(block.options.trigger == Trigger::Edge && events > 0);
+    Cost::statements(components + events + 3 + clears + edges)
 }
 
 /// What a call with `reset` does: `state`, `unexpected`, and a loop over the events.

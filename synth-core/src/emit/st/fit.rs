@@ -3,7 +3,6 @@
 use std::fmt;
 
 use super::Options;
-use super::integer::Types;
 use crate::controller::tables::Tables;
 
 /// Why a controller cannot be written for a target.
@@ -49,12 +48,11 @@ impl fmt::Display for Unfit {
 
 impl std::error::Error for Unfit {}
 
-/// Chooses the integer types, or says why the text cannot be written.
-pub(super) fn check(tables: &Tables, options: &Options) -> Result<Types, Unfit> {
-    let types = Types::of(tables, options.integers)?;
+/// Whether a call ends.
+pub(super) fn check(tables: &Tables, options: &Options) -> Result<(), Unfit> {
     match silent_circle(tables) {
         Some(state) if options.drain => Err(Unfit::EndlessDrain { state }),
-        _ => Ok(types),
+        _ => Ok(()),
     }
 }
 

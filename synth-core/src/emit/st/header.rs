@@ -3,7 +3,7 @@
 use super::block::Block;
 use super::names::{NameMap, STATE_NO};
 use super::writer::Writer;
-use super::{Integers, Options, Trigger, Unexpected, bound};
+use super::{Encoding, Integers, Options, Trigger, Unexpected, bound};
 use crate::controller::tables::{FORMAT_VERSION, Tables};
 
 /// Writes it, an empty line last.
@@ -13,7 +13,7 @@ pub(super) fn write(out: &mut Writer, block: &Block<'_>) {
     behaviour(out, block.options);
     cost(out, block);
     out.gap();
-    name_map(out, &NameMap::new(block.tables, block.options.target, block.names));
+    name_map(out, &NameMap::new(block.tables, block.options.target, &block.names));
     out.gap();
     requirements(out, block.tables);
 }
@@ -46,6 +46,10 @@ fn arguments(options: &Options) -> String {
         Unexpected::Keep => "",
         Unexpected::Drop => " --unexpected drop",
         Unexpected::Fault => " --unexpected fault",
+    };
+    arguments += match options.encoding {
+        Encoding::Runs => "",
+        Encoding::Rows => " --encoding rows",
     };
     arguments
 }

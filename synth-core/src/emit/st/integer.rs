@@ -61,19 +61,19 @@ pub(super) struct Types {
     pub(super) state: Integer,
     /// `state_no`.
     pub(super) state_no: Integer,
-    /// Indices of rows and events; holds the sum of two row indices, as the binary search needs.
+    /// Indices of tables and events, and what is computed with them.
     pub(super) index: Integer,
     /// Per component: the codes in its array.
     pub(super) codes: Vec<Integer>,
 }
 
 impl Types {
+    /// Types for a layout whose indices go up to `largest_index`.
+    ///
     /// # Errors
     ///
     /// A number that no type of the family holds.
-    pub(super) fn of(tables: &Tables, family: Integers) -> Result<Types, Unfit> {
-        let rows = tables.events.iter().map(|table| &table.mapping).chain([&tables.super_steps]);
-        let most = rows.map(|mapping| mapping.source.len() as u64).max().unwrap_or(0);
+    pub(super) fn of(tables: &Tables, family: Integers, largest_index: u64) -> Result<Types, Unfit> {
         let too_large = || Unfit::TooLarge { states: tables.states };
         let codes = |component: &ComponentTable| {
             let commands = component.commands.len();
@@ -86,7 +86,7 @@ impl Types {
                 Integers::Unsigned => Integer::Udint,
                 Integers::Signed => Integer::Dint,
             },
-            index: Integer::holding((2 * most).max(tables.events.len() as u64), family)
+            index: Integer::holding(largest_index.max(tables.events.len() as u64), family)
                 .ok_or_else(too_large)?,
             codes: tables.components.iter().map(codes).collect::<Result<_, _>>()?,
         })

@@ -35,7 +35,6 @@ use crate::controller::tables::Tables;
 use block::Block;
 pub use bound::Cost;
 pub use fit::Unfit;
-use names::Names;
 pub use names::{ComponentNames, NameMap};
 use writer::Writer;
 
@@ -99,6 +98,19 @@ pub enum Unexpected {
     Fault,
 }
 
+/// How tables hold transitions; [`Target::Case`] has none.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Encoding {
+    /// One array of all targets, and runs of consecutive states instead of sources (see [`Runs`]): less than half of the
+    /// text, and fewer probes.
+    ///
+    /// [`Runs`]: crate::controller::runs::Runs
+    #[default]
+    Runs,
+    /// Two arrays per event, as published (Gritzner and Greenyer 2018, section 4).
+    Rows,
+}
+
 /// How to write the text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Options {
@@ -112,6 +124,8 @@ pub struct Options {
     pub drain: bool,
     /// What becomes of events that fit nowhere.
     pub unexpected: Unexpected,
+    /// How tables hold transitions.
+    pub encoding: Encoding,
 }
 
 /// The whole text, ending in a newline, deterministic.
@@ -120,9 +134,7 @@ pub struct Options {
 ///
 /// What the target cannot hold ([`Unfit`]), before anything is written.
 pub fn text(tables: &Tables, options: &Options) -> Result<String, Unfit> {
-    let types = fit::check(tables, options)?;
-    let names = Names::new(tables, options.target);
-    let block = Block { tables, options, names: &names, types: &types };
+    let block = Block::new(tables, options)?;
     let mut out = Writer::new(block.dialect().frame.marks_locals());
     header::write(&mut out, &block);
     block.write(&mut out);
@@ -136,13 +148,11 @@ pub fn text(tables: &Tables, options: &Options) -> Result<String, Unfit> {
 ///
 /// As [`text`].
 pub fn bound(tables: &Tables, options: &Options) -> Result<Cost, Unfit> {
-    let types = fit::check(tables, options)?;
-    let names = Names::new(tables, options.target);
-    Ok(bound::call(&Block { tables, options, names: &names, types: &types }))
+    Ok(bound::call(&Block::new(tables, options)?))
 }
 
 /// What events, components and codes are called in [`text`]'s output.
 #[must_use]
 pub fn names(tables: &Tables, options: &Options) -> NameMap {
-    NameMap::new(tables, options.target, &Names::new(tables, options.target))
+    NameMap::new(tables, options.target, &names::Names::new(tables, options.target))
 }

@@ -6,7 +6,7 @@ use super::writer::Writer;
 
 /// Writes both.
 pub(super) fn write(out: &mut Writer, block: &Block<'_>) {
-    let (names, frame) = (block.names, block.dialect().frame);
+    let (names, frame) = (&block.names, block.dialect().frame);
     let variables = |out: &mut Writer| {
         block.interface(out, false);
         let controller = frame.block_type(&names.function_block);

@@ -2,8 +2,11 @@
 
 use std::fmt::{Display, Write as _};
 
-/// The longest line, in characters.
+/// The longest line for readers, in characters.
 pub(super) const LINE_LIMIT: usize = 120;
+
+/// The longest line of numbers, which nobody reads.
+const NUMBERS_LIMIT: usize = 200;
 
 const INDENT: &str = "  ";
 
@@ -38,18 +41,28 @@ impl Writer {
         self.line(self.unmarked(line.to_string()));
     }
 
-    /// A statement on one line, or if it is too long with one part a line.
+    /// A statement on one line, or on as many as its parts need, from the second on one step deeper.
     pub(super) fn code_in_parts(&mut self, parts: &[impl AsRef<str>]) {
-        let parts: Vec<&str> = parts.iter().map(AsRef::as_ref).collect();
-        let line = self.unmarked(parts.join(" "));
-        if line.len() + self.depth * INDENT.len() <= LINE_LIMIT {
-            return self.line(line);
+        let mut line = String::new();
+        let mut first = true;
+        for part in parts {
+            let part = self.unmarked(part.as_ref().to_owned());
+            let depth = self.depth + usize::from(!first);
+            if !line.is_empty() && depth * INDENT.len() + line.len() + 1 + part.len() > LINE_LIMIT {
+                self.part(&line, first);
+                line.clear();
+                first = false;
+            }
+            if !line.is_empty() {
+                line.push(' ');
+            }
+            line += &part;
         }
-        for (index, part) in parts.into_iter().enumerate() {
-            self.depth += usize::from(index > 0);
-            self.code(part);
-            self.depth -= usize::from(index > 0);
-        }
+        self.part(&line, first);
+    }
+
+    fn part(&mut self, line: &str, first: bool) {
+        if first { self.line(line) } else { self.indented(|out| out.line(line)) }
     }
 
     fn unmarked(&self, code: String) -> String {
@@ -116,17 +129,14 @@ impl Writer {
     pub(super) fn array(&mut self, name: &str, element: &str, values: &[u32]) {
         let last = values.len().saturating_sub(1);
         self.block(format_args!("{name} : ARRAY [0..{last}] OF {element} := ["), "];", |out| {
-            let width = LINE_LIMIT - out.depth * INDENT.len();
+            let width = NUMBERS_LIMIT - out.depth * INDENT.len();
             let mut line = String::new();
             for (index, value) in values.iter().enumerate() {
                 let comma = if index == last { "" } else { "," };
                 let number = format!("{value}{comma}");
-                if !line.is_empty() && line.len() + 1 + number.len() > width {
+                if line.len() + number.len() > width {
                     out.line(&line);
                     line.clear();
-                }
-                if !line.is_empty() {
-                    line.push(' ');
                 }
                 line.push_str(&number);
             }
@@ -205,12 +215,12 @@ mod tests {
     #[test]
     fn arrays_keep_the_line_limit() {
         let mut writer = Writer::new(false);
-        let values: Vec<u32> = (10_000..10_040).collect();
+        let values: Vec<u32> = (10_000..10_060).collect();
         writer.array("x", "UINT", &values);
         let text = writer.finish();
-        assert!(text.lines().all(|line| line.len() <= LINE_LIMIT));
-        assert_eq!(text.lines().count(), 5);
-        assert!(text.starts_with("x : ARRAY [0..39] OF UINT := [\n  10000, 10001,"));
-        assert!(text.ends_with(" 10039\n];\n"));
+        assert!(text.lines().all(|line| line.len() <= NUMBERS_LIMIT));
+        assert_eq!(text.lines().count(), 4);
+        assert!(text.starts_with("x : ARRAY [0..59] OF UINT := [\n  10000,10001,"));
+        assert!(text.ends_with(",10059\n];\n"));
     }
 }

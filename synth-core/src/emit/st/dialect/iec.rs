@@ -1,14 +1,14 @@
 //! IEC 61131-3, second edition, nothing else.
 
-use super::Dialect;
 use super::frame::Standard;
 use super::words::EDITION2;
-use crate::emit::st::layout::tables::{Inline, TableLayout};
+use super::{Dialect, Transitions};
+use crate::emit::st::layout::search::Inline;
 
 pub(super) static DIALECT: Dialect = Dialect {
     name: "iec",
     words: &EDITION2,
-    layout: &TableLayout { search: &Inline, section: "VAR CONSTANT" },
+    transitions: Transitions::tables(&Inline, "VAR CONSTANT"),
     frame: &Standard,
     notes: &[],
 };

@@ -11,8 +11,12 @@ mod siemens;
 mod twincat;
 mod words;
 
-use super::Target;
 use super::layout::Layout;
+use super::layout::case::CaseLayout;
+use super::layout::rows::RowLayout;
+use super::layout::runs::RunLayout;
+use super::layout::search::Search;
+use super::{Encoding, Target};
 pub(super) use frame::Frame;
 pub(super) use words::Words;
 
@@ -23,11 +27,42 @@ pub(super) struct Dialect {
     /// Words that no identifier may be.
     pub(super) words: &'static Words,
     /// How transitions are held and found.
-    pub(super) layout: &'static dyn Layout,
+    pub(super) transitions: Transitions,
     /// What stands around declarations and statements.
     pub(super) frame: &'static dyn Frame,
     /// How to load the text, for the comment at its top.
     pub(super) notes: &'static [&'static str],
+}
+
+/// The layouts of a dialect.
+pub(super) enum Transitions {
+    /// Tables, as the options want them.
+    Tables {
+        /// By runs.
+        runs: RunLayout,
+        /// As published.
+        rows: RowLayout,
+    },
+    /// Branches.
+    Branches,
+}
+
+impl Transitions {
+    /// Tables in a section of variables.
+    const fn tables(search: &'static dyn Search, section: &'static str) -> Transitions {
+        Transitions::Tables { runs: RunLayout { search, section }, rows: RowLayout { search, section } }
+    }
+}
+
+impl Dialect {
+    /// The layout that the options ask for.
+    pub(super) fn layout(&'static self, encoding: Encoding) -> &'static dyn Layout {
+        match (&self.transitions, encoding) {
+            (Transitions::Tables { runs, .. }, Encoding::Runs) => runs,
+            (Transitions::Tables { rows, .. }, Encoding::Rows) => rows,
+            (Transitions::Branches, _) => &CaseLayout,
+        }
+    }
 }
 
 /// The longest identifier, in characters, whatever the dialect, so that names stay when the target changes.

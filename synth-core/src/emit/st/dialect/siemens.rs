@@ -1,15 +1,15 @@
 //! SCL as an external source of TIA Portal, for S7-1500 and S7-1200.
 
-use super::Dialect;
 use super::frame::Scl;
 use super::words::SCL;
-use crate::emit::st::layout::tables::{Inline, TableLayout};
+use super::{Dialect, Transitions};
+use crate::emit::st::layout::search::Inline;
 
 pub(super) static DIALECT: Dialect = Dialect {
     name: "siemens",
     words: &SCL,
     // There are no constant arrays.
-    layout: &TableLayout { search: &Inline, section: "VAR" },
+    transitions: Transitions::tables(&Inline, "VAR"),
     frame: &Scl,
     notes: &[
         "Add the file to the external source files of a project in TIA Portal, and generate blocks from it.",

@@ -1,6 +1,8 @@
 //! One branch of a `CASE` per state: the older layout, many times longer.
 
 use super::Layout;
+use crate::controller::runs::Runs;
+use crate::controller::tables::Tables;
 use crate::emit::st::block::Block;
 use crate::emit::st::bound::{Cost, LayoutCost};
 use crate::emit::st::writer::Writer;
@@ -60,6 +62,10 @@ impl Layout for CaseLayout {
         out.code("ELSE");
         out.indented(|out| out.code("#due := FALSE;"));
         out.code("END_CASE;");
+    }
+
+    fn largest_index(&self, _: &Tables, _: &Runs) -> u64 {
+        0
     }
 
     fn cost(&self, block: &Block<'_>) -> LayoutCost {

@@ -1,7 +1,9 @@
 //! Two arrays per event and a binary search, as published.
 
 use super::Layout;
-use crate::controller::tables::Mapping;
+use super::search::{Entries, Search};
+use crate::controller::runs::Runs;
+use crate::controller::tables::{Mapping, Tables};
 use crate::emit::st::block::Block;
 use crate::emit::st::bound::{Cost, LayoutCost};
 use crate::emit::st::integer::Integer;
@@ -9,32 +11,17 @@ use crate::emit::st::names::EventNames;
 use crate::emit::st::writer::Writer;
 
 /// Mapping functions as arrays.
-pub(in crate::emit::st) struct TableLayout {
+pub(in crate::emit::st) struct RowLayout {
     /// How a row is found.
     pub(in crate::emit::st) search: &'static dyn Search,
     /// The section of variables that holds the arrays.
     pub(in crate::emit::st) section: &'static str,
 }
 
-/// A way to make `first` the first row whose source is not below the state, or the last row.
-pub(in crate::emit::st) trait Search: Sync {
-    /// Declarations in front of the function block.
-    fn functions(&self, out: &mut Writer, block: &Block<'_>);
-
-    /// Its variables in the function block.
-    fn variables(&self, out: &mut Writer, index: Integer);
-
-    /// The search in an array of at least one row.
-    fn find(&self, out: &mut Writer, block: &Block<'_>, source: &str, rows: usize);
-
-    /// What it costs at most.
-    fn cost(&self, rows: usize) -> Cost;
-}
-
-impl Layout for TableLayout {
+impl Layout for RowLayout {
     fn functions(&self, out: &mut Writer, block: &Block<'_>) {
         if block.has_rows() || block.has_super_steps() {
-            self.search.functions(out, block);
+            self.search.functions(out, block, None);
         }
     }
 
@@ -79,7 +66,7 @@ impl Layout for TableLayout {
     }
 
     fn super_step(&self, out: &mut Writer, block: &Block<'_>) {
-        self.search.find(out, block, "source", block.tables.super_steps.source.len());
+        self.find(out, block, "source", &block.tables.super_steps);
         out.code("#due := #source[#first] = #state;");
         if block.drains() {
             out.code("#done := NOT #due;");
@@ -107,10 +94,18 @@ impl Layout for TableLayout {
         });
     }
 
+    fn largest_index(&self, tables: &Tables, _: &Runs) -> u64 {
+        let mappings = tables.events.iter().map(|table| &table.mapping).chain([&tables.super_steps]);
+        // A search adds two indices.
+        2 * mappings.map(|mapping| mapping.source.len() as u64).max().unwrap_or(0)
+    }
+
     fn cost(&self, block: &Block<'_>) -> LayoutCost {
         let mut cost = LayoutCost::default();
         // The search, and the statement that compares what it found.
-        let compared = |rows| self.search.cost(rows) + Cost { statements: 1, probes: 1, iterations: 0 };
+        let compared = |rows: usize| {
+            self.search.cost(rows as u64, rows > 1) + Cost { statements: 1, probes: 1, iterations: 0 }
+        };
         if block.has_rows() {
             cost.entry = Cost::statements(1);
             cost.rounds_per_event = 1;
@@ -141,7 +136,14 @@ impl Layout for TableLayout {
     }
 }
 
-impl TableLayout {
+impl RowLayout {
+    /// Makes `first` the row of the state, if there is one.
+    fn find(&self, out: &mut Writer, block: &Block<'_>, array: &str, mapping: &Mapping) {
+        let last = mapping.source.len() - 1;
+        let entries = Entries { array, first: "0", last: &last.to_string(), several: last > 0 };
+        self.search.find(out, block, &entries);
+    }
+
     /// Follows event `index`, which is pending, if the state has a row for it.
     fn follow(
         &self,
@@ -151,108 +153,11 @@ impl TableLayout {
         mapping: &Mapping,
         names: &EventNames,
     ) {
-        self.search.find(out, block, &names.source, mapping.source.len());
+        self.find(out, block, &names.source, mapping);
         out.when(format_args!("#{}[#first] = #state", names.source), |out| {
             out.code(format_args!("#state := #{}[#first];", names.target));
             out.code(format_args!("#pending[{index}] := FALSE;"));
             out.code("#changed := TRUE;");
         });
-    }
-}
-
-/// Times that a binary search halves.
-fn halvings(rows: usize) -> u64 {
-    u64::from(rows.max(1).next_power_of_two().ilog2())
-}
-
-/// The loop of a binary search, up to `last`.
-fn halve(out: &mut Writer, source: &str, last: &str) {
-    out.code(format_args!("WHILE #first < {last} DO"));
-    out.indented(|out| {
-        out.code(format_args!("#middle := (#first + {last}) / 2;"));
-        out.code(format_args!("IF #{source}[#middle] < #state THEN"));
-        out.indented(|out| out.code("#first := #middle + 1;"));
-        out.code("ELSE");
-        out.indented(|out| out.code(format_args!("{last} := #middle;")));
-        out.code("END_IF;");
-    });
-    out.code("END_WHILE;");
-}
-
-/// The search where it is needed: a function of the standard would copy its array at every call.
-pub(in crate::emit::st) struct Inline;
-
-impl Search for Inline {
-    fn functions(&self, _: &mut Writer, _: &Block<'_>) {}
-
-    fn variables(&self, out: &mut Writer, index: Integer) {
-        for name in ["first", "last", "middle"] {
-            out.line(format_args!("{name} : {};", index.keyword()));
-        }
-    }
-
-    fn find(&self, out: &mut Writer, _: &Block<'_>, source: &str, rows: usize) {
-        out.code("#first := 0;");
-        if rows > 1 {
-            out.code(format_args!("#last := {};", rows - 1));
-            halve(out, source, "#last");
-        }
-    }
-
-    fn cost(&self, rows: usize) -> Cost {
-        let halvings = halvings(rows);
-        let around = if rows > 1 { 3 } else { 1 };
-        Cost { statements: around + 3 * halvings, iterations: halvings, probes: halvings }
-    }
-}
-
-/// One function for all arrays, which gets the address of one. The address is taken for every search, because an
-/// online change may move variables.
-pub(in crate::emit::st) struct Pointers;
-
-impl Search for Pointers {
-    fn functions(&self, out: &mut Writer, block: &Block<'_>) {
-        let name = &block.names.search;
-        let (state, index) = (block.types.state.keyword(), block.types.index.keyword());
-        out.comment("The first row whose source is not below the state, or the last row.");
-        out.line(format_args!("FUNCTION {name} : {index}"));
-        out.block("VAR_INPUT", "END_VAR", |out| {
-            out.line(format_args!("source : POINTER TO {state};"));
-            out.line(format_args!("last_row : {index};"));
-            out.line(format_args!("state : {state};"));
-        });
-        out.block("VAR", "END_VAR", |out| {
-            for variable in ["first", "last", "middle"] {
-                out.line(format_args!("{variable} : {index};"));
-            }
-        });
-        out.gap();
-        out.code("#first := 0;");
-        out.code("#last := #last_row;");
-        halve(out, "source", "#last");
-        out.code(format_args!("{name} := #first;"));
-        out.line("END_FUNCTION");
-        out.gap();
-    }
-
-    fn variables(&self, out: &mut Writer, index: Integer) {
-        out.line(format_args!("first : {};", index.keyword()));
-    }
-
-    fn find(&self, out: &mut Writer, block: &Block<'_>, source: &str, rows: usize) {
-        let call = [
-            "#first :=".to_owned(),
-            format!("{}(source :=", block.names.search),
-            format!("ADR(#{source}),"),
-            format!("last_row := {},", rows - 1),
-            "state := #state);".to_owned(),
-        ];
-        out.code_in_parts(&call);
-    }
-
-    fn cost(&self, rows: usize) -> Cost {
-        let halvings = halvings(rows);
-        // The call, four statements around the loop.
-        Cost { statements: 5 + 3 * halvings, iterations: halvings, probes: halvings }
     }
 }

@@ -1,0 +1,202 @@
+//! One array of all targets, and runs of consecutive states instead of sources: see [`Runs`].
+
+use super::Layout;
+use super::search::{Entries, Search};
+use crate::controller::runs::Runs;
+use crate::controller::tables::Tables;
+use crate::emit::st::block::Block;
+use crate::emit::st::bound::{Cost, LayoutCost};
+use crate::emit::st::integer::Integer;
+use crate::emit::st::writer::Writer;
+
+/// Mapping functions as runs.
+pub(in crate::emit::st) struct RunLayout {
+    /// How a run is found.
+    pub(in crate::emit::st) search: &'static dyn Search,
+    /// The section of variables that holds the arrays.
+    pub(in crate::emit::st) section: &'static str,
+}
+
+impl Layout for RunLayout {
+    fn functions(&self, out: &mut Writer, block: &Block<'_>) {
+        if block.has_rows() || block.has_super_steps() {
+            self.search.functions(out, block, Some(block.runs.state.len()));
+        }
+    }
+
+    fn tables(&self, out: &mut Writer, block: &Block<'_>) {
+        let runs = &block.runs;
+        if runs.target.is_empty() {
+            return;
+        }
+        let (state, index) = (block.types.state.keyword(), block.types.index.keyword());
+        out.block(self.section, "END_VAR", |out| {
+            if block.has_rows() {
+                out.comment("per event its first run; behind them, that of the super steps");
+                out.array("event_run", index, &runs.first[..runs.base.len()]);
+            }
+            out.comment("per run its first state, and its first row in target");
+            out.array("run_state", state, &runs.state);
+            out.array("run_row", index, &runs.row);
+            if block.has_rows() {
+                out.comment("per event what is added to its targets");
+                out.array("event_base", state, &runs.base[..runs.base.len() - 1]);
+            }
+            out.array("target", state, &runs.target);
+            if block.has_super_steps() {
+                out.comment("per run of the super steps its commands");
+                for (codes, (names, integer)) in runs.codes.iter().zip(block.components()) {
+                    out.array(&names.codes, integer.keyword(), codes);
+                }
+            }
+        });
+    }
+
+    fn variables(&self, out: &mut Writer, block: &Block<'_>) {
+        if block.runs.target.is_empty() {
+            return;
+        }
+        let index = block.types.index;
+        if block.has_rows() {
+            out.line(format_args!("event : {};", index.keyword()));
+        }
+        self.search.variables(out, index);
+        out.line(format_args!("row : {};", index.keyword()));
+    }
+
+    fn consume(&self, out: &mut Writer, block: &Block<'_>) {
+        let pending = if self.is_total(block) {
+            "#pending[#event]"
+        } else {
+            "#pending[#event] AND #event_run[#event] < #event_run[#event + 1]"
+        };
+        let entries = Entries {
+            array: "run_state",
+            first: "#event_run[#event]",
+            last: "#event_run[#event + 1] - 1",
+            several: true,
+        };
+        out.repeat("NOT #changed", |out| {
+            out.code("#changed := FALSE;");
+            out.code(format_args!("FOR #event := 0 TO {} DO", block.names.events.len() - 1));
+            out.indented(|out| {
+                out.when(pending, |out| {
+                    self.search.find(out, block, &entries);
+                    hit(out, block, |out| {
+                        out.code("#state := #event_base[#event] + #target[#row];");
+                        out.code("#pending[#event] := FALSE;");
+                        out.code("#changed := TRUE;");
+                    });
+                });
+            });
+            out.code("END_FOR;");
+        });
+    }
+
+    fn super_step(&self, out: &mut Writer, block: &Block<'_>) {
+        let runs = &block.runs;
+        let (first, end) = (runs.super_steps(), runs.state.len());
+        let entries = Entries {
+            array: "run_state",
+            first: &first.to_string(),
+            last: &(end - 1).to_string(),
+            several: end as u32 - first > 1,
+        };
+        let of_run = if first == 0 { "#first".to_owned() } else { format!("#first - {first}") };
+        self.search.find(out, block, &entries);
+        out.code("#due := FALSE;");
+        if block.drains() {
+            out.code("#done := TRUE;");
+        }
+        hit(out, block, |out| {
+            out.code("#due := TRUE;");
+            if block.drains() {
+                out.code("#done := FALSE;");
+                for names in &block.names.components {
+                    let again =
+                        [format!("#{} <> 0", names.output), format!("#{}[{of_run}] <> 0", names.codes)];
+                    out.when_all(&again, |out| out.code("#done := TRUE;"));
+                }
+                out.when("NOT #done", |out| perform(out, block, &of_run));
+            } else {
+                perform(out, block, &of_run);
+            }
+        });
+    }
+
+    fn largest_index(&self, tables: &Tables, runs: &Runs) -> u64 {
+        // A search adds two runs and one; a row is sought behind the end of its run, up to the last state.
+        let searched = 2 * runs.state.len() as u64;
+        let row = runs.target.len() as u64 + u64::from(tables.states);
+        searched.max(row)
+    }
+
+    fn cost(&self, block: &Block<'_>) -> LayoutCost {
+        let runs = &block.runs;
+        let mut cost = LayoutCost::default();
+        // `IF` the run begins in time, `row`, `IF` it ends behind.
+        let compared = Cost { statements: 3, probes: 2, iterations: 0 };
+        let events = block.names.events.len();
+        if block.has_rows() {
+            cost.entry = Cost::statements(1);
+            cost.rounds_per_event = 1;
+            let filled = (0..events).map(|event| u64::from(runs.count(event))).filter(|count| *count > 0);
+            cost.searches = filled.map(|count| self.search.cost(count, true) + compared).collect();
+            // `changed`, the loop over events, and an `IF` for each.
+            cost.round = Cost { statements: 2 + events as u64, iterations: 1 + events as u64, probes: 0 };
+            // `state`, `pending`, `changed`.
+            cost.event = Cost::statements(3);
+        }
+        if block.has_super_steps() {
+            let components = block.names.components.len() as u64;
+            let count = u64::from(runs.count(events));
+            let drains = u64::from(block.drains());
+            // `due`, `done`, and `IF NOT due` behind.
+            let around = Cost::statements(1 + drains + u64::from(events > 0));
+            cost.seek = self.search.cost(count, count > 1) + compared + around;
+            // `due`; when draining `done`, an `IF` per component, `IF NOT done`.
+            let decided = Cost::statements(1 + drains * (2 + components));
+            // `state`, and per component its output, in an `IF` when draining.
+            cost.perform = decided + Cost::statements(1 + (1 + drains) * components);
+            cost.leave = decided + Cost::statements(components);
+        }
+        cost
+    }
+}
+
+impl RunLayout {
+    /// Whether every event has a row.
+    fn is_total(&self, block: &Block<'_>) -> bool {
+        (0..block.names.events.len()).all(|event| block.runs.count(event) > 0)
+    }
+}
+
+/// Statements for the case that the run `first` has the state; `row` is its row then.
+fn hit(out: &mut Writer, block: &Block<'_>, inside: impl FnOnce(&mut Writer)) {
+    let (state, index) = (block.types.state, block.types.index);
+    out.when("#run_state[#first] <= #state", |out| {
+        let further = state.converted(index, "#state - #run_state[#first]");
+        let further = if state == index { format!("({further})") } else { further };
+        out.code(format_args!("#row := #run_row[#first] + {further};"));
+        out.when("#row < #run_row[#first + 1]", inside);
+    });
+}
+
+/// Does the super step of `row`.
+fn perform(out: &mut Writer, block: &Block<'_>, of_run: &str) {
+    for (names, integer) in block.components() {
+        let output = &names.output;
+        let code = integer.converted(Integer::Int, &format!("#{}[{of_run}]", names.codes));
+        let command = [format!("#{output} :="), format!("{code};")];
+        if block.drains() {
+            // A command of an earlier super step stays.
+            out.when(format_args!("#{output} = 0"), |out| out.code_in_parts(&command));
+        } else {
+            out.code_in_parts(&command);
+        }
+    }
+    match block.runs.base.last() {
+        Some(base) if *base > 0 => out.code(format_args!("#state := {base} + #target[#row];")),
+        _ => out.code("#state := #target[#row];"),
+    }
+}
