@@ -4,6 +4,7 @@
 pub mod corpus;
 pub mod fast;
 pub mod naive;
+pub mod published;
 pub mod random;
 pub mod reference;
 pub mod same;
