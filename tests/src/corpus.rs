@@ -1,7 +1,10 @@
 //! The specifications in `tests/specs`, each with the figures that every implementation must find.
 
+use crate::fast;
 use serde_json::Value;
 use std::path::PathBuf;
+use synth_core::controller::Controller;
+use synth_core::pipeline::{Timings, synthesize};
 use synth_core::syntax::ast::File;
 use synth_core::syntax::{FileId, parse_text};
 
@@ -42,6 +45,25 @@ pub fn all() -> Vec<Entry> {
             Entry { name, text: read("spec.sml"), expected }
         })
         .collect()
+}
+
+/// The controller of every realizable specification of the corpus, with its name.
+///
+/// # Panics
+/// When there are few: the corpus is part of the tests.
+#[must_use]
+pub fn controllers() -> Vec<(String, Controller)> {
+    let mut controllers = Vec::new();
+    for entry in all() {
+        let spec = fast::resolved(&entry.text).expect("the corpus is right");
+        let options = fast::options(false, 20_000);
+        let Ok(mut solved) = fast::solved(&spec, &options) else { continue };
+        if let Ok(verified) = synthesize(&mut solved, &options, &mut Timings::default()) {
+            controllers.push((entry.name, verified.controller));
+        }
+    }
+    assert!(controllers.len() > 20, "only {}", controllers.len());
+    controllers
 }
 
 /// The syntax tree of a text without errors.

@@ -1,6 +1,7 @@
 //! What tests share: a naive reference implementation of the language, random specifications, and a reference
 //! interpreter of tables.
 
+pub mod beside;
 pub mod corpus;
 pub mod fast;
 pub mod naive;

@@ -1,7 +1,7 @@
 //! Tables for tests of back ends: made by hand for one point each, or at random.
 
-use synth_core::controller::Event;
 use synth_core::controller::tables::{ComponentTable, EventTable, Mapping, Provenance, Requirement, Tables};
+use synth_core::controller::{Component, Controller, Event, SuperStep};
 
 /// A reproducible source of numbers (splitmix64).
 pub struct Random(u64);
@@ -226,4 +226,43 @@ pub fn random(specification: &str, size: Size, seed: u64) -> Tables {
     random_tables.owed =
         (0..size.states).map(|_| (0..size.events).filter(|_| random.below(10) == 0).collect()).collect();
     random_tables
+}
+
+/// What tables are the layout of. A super step that commands nothing has an event between controllable objects.
+#[must_use]
+pub fn controller(tables: &Tables) -> Controller {
+    let mut commands: Vec<_> = tables.components.iter().flat_map(|c| c.commands.iter().cloned()).collect();
+    let inner = commands.len() as u32;
+    commands.push(event("ctl -> other.inner()"));
+    let mut first = 0;
+    let mut firsts = Vec::new();
+    let mut components = Vec::new();
+    for component in &tables.components {
+        let count = component.commands.len() as u32;
+        components
+            .push(Component { object: component.object.clone(), commands: (first..first + count).collect() });
+        firsts.push(first);
+        first += count;
+    }
+    let rows = tables.super_steps.source.iter().zip(&tables.super_steps.target).enumerate();
+    let super_steps = rows.map(|(row, (&source, &target))| {
+        let codes = tables.components.iter().zip(&firsts).filter(|(c, _)| c.codes[row] != 0);
+        let events =
+            codes.map(|(component, first)| first + component.codes[row] - 1).chain([inner]).collect();
+        SuperStep { source, target, events }
+    });
+    let rows = tables
+        .events
+        .iter()
+        .map(|e| e.mapping.source.iter().copied().zip(e.mapping.target.iter().copied()).collect());
+    Controller {
+        states: tables.states,
+        initial: tables.initial,
+        events: tables.events.iter().map(|table| table.event.clone()).collect(),
+        environment: rows.collect(),
+        super_steps: super_steps.collect(),
+        commands,
+        components,
+        owed: tables.owed.clone(),
+    }
 }

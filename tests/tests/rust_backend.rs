@@ -2,15 +2,14 @@
 
 use std::fmt::Write as _;
 
+use sml_tests::corpus;
 use sml_tests::reference::Reference;
 use sml_tests::scratch::Scratch;
 use sml_tests::tables::{self, Random, Size};
-use sml_tests::{corpus, fast};
 use synth_core::controller::cycle::Machine;
 use synth_core::controller::tables::{Provenance, Tables};
 use synth_core::controller::{Controller, json};
 use synth_core::emit::rust::{Options, module, text};
-use synth_core::pipeline::{Timings, synthesize};
 
 /// A module, the tables it is of, and the fields of its `Commands`.
 struct Case {
@@ -50,20 +49,6 @@ fn cases() -> Vec<Case> {
     ]
 }
 
-/// The controller of every realizable specification of the corpus.
-fn corpus_controllers() -> Vec<(String, Controller)> {
-    let mut controllers = Vec::new();
-    for entry in corpus::all() {
-        let spec = fast::resolved(&entry.text).expect("the corpus is right");
-        let options = fast::options(false, 20_000);
-        let Ok(mut solved) = fast::solved(&spec, &options) else { continue };
-        if let Ok(verified) = synthesize(&mut solved, &options, &mut Timings::default()) {
-            controllers.push((entry.name, verified.controller));
-        }
-    }
-    controllers
-}
-
 /// The tables of the corpus, each named after its folder.
 fn corpus_cases() -> Vec<Case> {
     let case = |(name, controller): (String, Controller)| {
@@ -71,7 +56,7 @@ fn corpus_cases() -> Vec<Case> {
         let fields = tables.components.iter().map(|component| snake_case(&component.object)).collect();
         Case { module: name, tables, fields }
     };
-    corpus_controllers().into_iter().map(case).collect()
+    corpus::controllers().into_iter().map(case).collect()
 }
 
 /// `feed_arm` for `feedArm`.
@@ -220,7 +205,7 @@ fn modules_have_no_warnings_and_step_as_the_contract_says() {
 #[test]
 fn the_interpreter_of_json_steps_as_the_tables_say() {
     let mut commands = 0;
-    for (seed, (name, original)) in corpus_controllers().into_iter().enumerate() {
+    for (seed, (name, original)) in corpus::controllers().into_iter().enumerate() {
         let controller = json::from_json(&json::to_json(&original)).expect("its own JSON");
         let tables = Tables::new(&name, &original, Provenance::default());
         let mut reference = Reference::new(&tables);

@@ -1,0 +1,248 @@
+//! The function block of a text beside the interpreter of controllers, call for call.
+
+use crate::reference::Reference;
+use crate::tables::Random;
+use st_evaluator::{Dialect, Instance, Unit};
+use synth_core::controller::Controller;
+use synth_core::controller::cycle::Machine;
+use synth_core::controller::tables::Tables;
+use synth_core::emit::st::{self, Cost, NameMap, Options, Target, Trigger, Unexpected};
+
+/// The inputs of a call.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Inputs {
+    /// FALSE is a pause.
+    pub enable: bool,
+    /// Back to the initial state.
+    pub reset: bool,
+    /// In table order.
+    pub events: Vec<bool>,
+}
+
+/// The outputs of a call.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Outputs {
+    /// Per component its code, 0 for none.
+    pub commands: Vec<u32>,
+    /// The state after the call.
+    pub state: u32,
+    /// In table order.
+    pub pending: Vec<bool>,
+    /// Whether something pending fits nowhere.
+    pub unexpected: bool,
+    /// Whether something was raised that was pending.
+    pub overrun: bool,
+}
+
+/// The interface of the function block over the interpreter, as `docs/controller.md` tells it.
+#[derive(Debug)]
+pub struct Model<'a> {
+    options: Options,
+    machine: Machine<'a>,
+    /// Follows the machine, but can forget single events.
+    reference: Reference<'a>,
+    previous: Vec<bool>,
+    unexpected: bool,
+}
+
+impl<'a> Model<'a> {
+    /// In the initial state. Tables and controller are the same thing.
+    #[must_use]
+    pub fn new(tables: &'a Tables, controller: &'a Controller, options: Options) -> Model<'a> {
+        let previous = vec![false; tables.events.len()];
+        let (machine, reference) = (Machine::new(controller), Reference::new(tables));
+        Model { options, machine, reference, previous, unexpected: false }
+    }
+
+    /// What one call of the function block outputs.
+    ///
+    /// # Panics
+    ///
+    /// If the interpreters of tables and of controllers differ.
+    pub fn call(&mut self, inputs: &Inputs) -> Outputs {
+        let tables = self.reference.tables();
+        let fault = self.options.unexpected == Unexpected::Fault;
+        self.unexpected &= fault;
+        let mut overrun = false;
+        let mut commands = vec![0; tables.components.len()];
+        if inputs.reset {
+            self.unexpected = false;
+            self.machine.reset();
+            self.reference = Reference::new(tables);
+        } else if inputs.enable && !self.unexpected {
+            for (event, &now) in inputs.events.iter().enumerate() {
+                if now && !(self.options.trigger == Trigger::Edge && self.previous[event]) {
+                    overrun |= !self.raise(event);
+                }
+            }
+            commands = self.run();
+        }
+        self.previous.clone_from(&inputs.events);
+        let state = self.reference.state;
+        let pending = (0..tables.events.len()).map(|event| self.reference.pending.contains(&event)).collect();
+        Outputs { commands, state, pending, unexpected: self.unexpected, overrun }
+    }
+
+    fn raise(&mut self, event: usize) -> bool {
+        let raised = self.reference.raise(event);
+        if self.options.unexpected != Unexpected::Drop {
+            assert_eq!(self.machine.raise(event as u32), raised);
+        }
+        raised
+    }
+
+    fn run(&mut self) -> Vec<u32> {
+        let steps = self.reference.log.len();
+        let commands = if self.options.drain { self.reference.drain() } else { self.reference.cycle() };
+        let waits = if self.options.drain {
+            self.machine_waits()
+        } else {
+            self.reference.log[steps..].iter().all(|(event, ..)| event.is_some())
+        };
+        if self.options.unexpected != Unexpected::Drop {
+            let issued = if self.options.drain { self.machine.drain() } else { self.machine.cycle() };
+            assert_eq!(issued.codes, commands);
+            assert_eq!(self.machine.state(), self.reference.state);
+        }
+        self.unexpected = waits && !self.reference.pending.is_empty();
+        if self.unexpected && self.options.unexpected == Unexpected::Drop {
+            self.reference.pending.clear();
+        }
+        self.reference.log.clear();
+        commands
+    }
+
+    /// Whether no super step is due.
+    fn machine_waits(&self) -> bool {
+        let tables = self.reference.tables();
+        tables.super_steps.source.binary_search(&self.reference.state).is_err()
+    }
+}
+
+/// A function block at work.
+#[derive(Debug)]
+pub struct Running<'u> {
+    names: NameMap,
+    instance: Instance<'u>,
+    /// What no call may exceed.
+    bound: Cost,
+}
+
+impl<'u> Running<'u> {
+    /// The function block in a text of these tables.
+    ///
+    /// # Panics
+    ///
+    /// If there is no function block of that name.
+    #[must_use]
+    pub fn new(unit: &'u Unit, tables: &Tables, options: &Options) -> Running<'u> {
+        let names = st::names(tables, options);
+        let instance = unit.instance(&names.function_block).expect("the function block is there");
+        let bound = st::bound(tables, options).expect("it fits");
+        Running { names, instance, bound }
+    }
+
+    /// Outputs, or what is wrong with the call itself: it fails, wraps integers around, or takes more than its bound.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with the call.
+    ///
+    /// # Panics
+    ///
+    /// If an input or output is missing, or an input is written.
+    pub fn call(&mut self, inputs: &Inputs) -> Result<Outputs, String> {
+        let block = &mut self.instance;
+        block.set("enable", inputs.enable).expect("an input");
+        block.set("reset", inputs.reset).expect("an input");
+        for ((_, name), value) in self.names.events.iter().zip(&inputs.events) {
+            block.set(name, *value).expect("an input");
+        }
+        let stats = block.call().map_err(|error| error.to_string())?;
+        let Cost { statements, iterations, .. } = self.bound;
+        if stats.wrapped > 0 || stats.statements > statements || stats.iterations > iterations {
+            return Err(format!(
+                "integers are too narrow or the bound is too small: {stats:?}, {:?}",
+                self.bound
+            ));
+        }
+        for ((_, name), value) in self.names.events.iter().zip(&inputs.events) {
+            assert_eq!(block.bool(name), Ok(*value), "inputs are not written");
+        }
+        let number = |name: &str| u32::try_from(block.int(name).expect("an output")).expect("not negative");
+        let mut pending = block.bools("pending").expect("an output");
+        pending.truncate(self.names.events.len());
+        Ok(Outputs {
+            commands: self.names.components.iter().map(|c| number(&c.output)).collect(),
+            state: number("state_no"),
+            pending,
+            unexpected: block.bool("unexpected").expect("an output"),
+            overrun: block.bool("overrun").expect("an output"),
+        })
+    }
+}
+
+/// Several events at once, mostly ones that fit; now and then a reset or a pause.
+fn inputs(reference: &Reference<'_>, previous: &[bool], random: &mut Random) -> Inputs {
+    let count = previous.len() as u32;
+    let mut events: Vec<bool> = previous.iter().map(|&held| held && random.below(4) == 0).collect();
+    if count > 0 {
+        for _ in 0..random.below(4) {
+            events[random.below(count) as usize] = true;
+        }
+        let fitting: Vec<usize> = (0..previous.len()).filter(|&e| reference.accepts(e).is_some()).collect();
+        if !fitting.is_empty() && random.below(4) != 0 {
+            events[fitting[random.below(fitting.len() as u32) as usize]] = true;
+        }
+    }
+    Inputs { enable: random.below(20) != 0, reset: random.below(60) == 0, events }
+}
+
+/// Whose Structured Text a target's is.
+#[must_use]
+pub fn dialect(target: Target) -> Dialect {
+    match target {
+        Target::Iec | Target::Case => Dialect::Edition2,
+        Target::Codesys => Dialect::Codesys,
+        Target::Twincat => Dialect::TwinCat,
+        Target::Siemens => Dialect::Siemens,
+    }
+}
+
+/// The compiled text of a target.
+///
+/// # Panics
+///
+/// If it does not compile.
+#[must_use]
+pub fn compiled(text: &str, target: Target) -> Unit {
+    Unit::parse(text, dialect(target)).unwrap_or_else(|errors| {
+        let errors: Vec<String> = errors.iter().map(ToString::to_string).collect();
+        panic!("{}\n{text}", errors.join("\n"));
+    })
+}
+
+/// The first of so many calls with random inputs in which a text and the interpreter differ. The tables give the
+/// text's names, and are what the controller is laid out as.
+#[must_use]
+pub fn difference(
+    text: &str,
+    tables: &Tables,
+    controller: &Controller,
+    options: Options,
+    calls: usize,
+) -> Option<String> {
+    let unit = compiled(text, options.target);
+    let mut running = Running::new(&unit, tables, &options);
+    let mut model = Model::new(tables, controller, options);
+    let random = &mut Random::new(0x5EED);
+    for call in 0..calls {
+        let inputs = inputs(&model.reference, &model.previous, random);
+        let expected = model.call(&inputs);
+        let found = running.call(&inputs);
+        if found.as_ref() != Ok(&expected) {
+            return Some(format!("call {call}: {found:?} instead of {expected:?}"));
+        }
+    }
+    None
+}
