@@ -1,0 +1,149 @@
+//! How large the Structured Text of a controller is, what a call of it costs at most, and how long writing it takes.
+//!
+//! `cargo test --release -p sml-tests --test st_size -- --nocapture` prints the tables.
+
+use std::time::{Duration, Instant};
+
+use sml_tests::tables::{self, Size};
+use sml_tests::{corpus, fast, published};
+use synth_core::controller::tables::{Provenance, Tables};
+use synth_core::controller::{Controller, Level, minimize};
+use synth_core::emit::rust;
+use synth_core::emit::st::{self, Cost, Options, Target};
+use synth_core::pipeline::{Timings, synthesize};
+
+/// Lines and bytes of a text.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+struct Extent {
+    lines: usize,
+    bytes: usize,
+}
+
+fn extent(text: &str) -> Extent {
+    Extent { lines: text.lines().count(), bytes: text.len() }
+}
+
+/// What Gritzner and Greenyer (2018, section 4) report: `CASE`, standard-compliant and for CODESYS. Their primary state
+/// machine alone, without events as outputs, `reset`, `unexpected` or a program.
+const PUBLISHED: [(&str, Extent); 3] = [
+    ("case", Extent { lines: 21_978, bytes: 792_128 }),
+    ("iec", Extent { lines: 789, bytes: 97_669 }),
+    ("codesys", Extent { lines: 135, bytes: 87_627 }),
+];
+
+/// Every way to write a controller, with its name in the table.
+fn ways() -> Vec<(String, Options)> {
+    Target::ALL.map(|target| (target.name().to_owned(), Options { target, ..Options::default() })).into()
+}
+
+/// The verified controller of a specification of the corpus, not minimised.
+fn synthesized(name: &str) -> Controller {
+    let entry = corpus::all().into_iter().find(|entry| entry.name == name).expect("it is in the corpus");
+    let spec = fast::resolved(&entry.text).expect("the corpus is right");
+    let mut options = fast::options(false, 20_000);
+    options.level = Level::None;
+    let mut solved = fast::solved(&spec, &options).expect("it is small enough");
+    synthesize(&mut solved, &options, &mut Timings::default()).expect("it is realizable").controller
+}
+
+/// The controllers in the table, not minimised and minimised.
+fn controllers() -> Vec<(String, Tables)> {
+    let all = [
+        ("published size, structure of a machine", published::machine(1)),
+        ("published size, at random", published::random(1)),
+        ("line of two presses", synthesized("line_2")),
+        ("production cell", synthesized("production_cell")),
+    ];
+    let mut named = Vec::new();
+    for (name, controller) in all {
+        let minimized = minimize(&controller, Level::Exact);
+        for (how, controller) in [("", &controller), (", minimised", &minimized)] {
+            named.push((format!("{name}{how}"), Tables::new("Published", controller, Provenance::default())));
+        }
+    }
+    named
+}
+
+fn transitions(tables: &Tables) -> usize {
+    tables.events.iter().map(|table| table.mapping.source.len()).sum::<usize>()
+        + tables.super_steps.source.len()
+}
+
+fn cost(tables: &Tables, options: Options, drain: bool) -> String {
+    match st::bound(tables, &Options { drain, ..options }) {
+        Ok(Cost { statements, iterations, probes }) => format!("{statements:7} {iterations:7} {probes:6}"),
+        Err(why) => why.to_string(),
+    }
+}
+
+#[test]
+fn report() {
+    for (name, tables) in controllers() {
+        println!("\n{name}: {} states, {} transitions", tables.states, transitions(&tables));
+        println!("                               bytes per  a cycle at most:      a drain at most:");
+        println!("target          lines   bytes transition  statem. iterat. probes  the same");
+        for (way, options) in ways() {
+            let Extent { lines, bytes } = extent(&st::text(&tables, &options).expect("it fits"));
+            let each = bytes as f64 / transitions(&tables) as f64;
+            let [cycle, drain] = [false, true].map(|drain| cost(&tables, options, drain));
+            println!("{way:14} {lines:6} {bytes:7}     {each:6.1}  {cycle}  {drain}");
+        }
+        if name.starts_with("published") {
+            for (way, Extent { lines, bytes }) in PUBLISHED {
+                let each = bytes as f64 / f64::from(published::TRANSITIONS);
+                println!("{way:14} {lines:6} {bytes:7}     {each:6.1}  as published");
+            }
+        }
+    }
+}
+
+/// The most bytes of each target at the published size: with the structure of a machine, and without any.
+const LIMITS: [(Target, [usize; 2]); 5] = [
+    (Target::Iec, [106_000, 106_000]),
+    (Target::Codesys, [104_000, 104_000]),
+    (Target::Twincat, [104_000, 104_000]),
+    (Target::Siemens, [108_000, 108_000]),
+    (Target::Case, [576_000, 590_000]),
+];
+
+#[test]
+fn texts_of_the_published_size_do_not_grow() {
+    for (make, controller) in [published::machine(1), published::random(1)].into_iter().enumerate() {
+        let tables = Tables::new("Published", &controller, Provenance::default());
+        for (target, limits) in LIMITS {
+            let text = st::text(&tables, &Options { target, ..Options::default() }).expect("it fits");
+            let bytes = extent(&text).bytes;
+            assert!(bytes <= limits[make], "{}: {bytes} bytes", target.name());
+        }
+    }
+}
+
+/// The fastest of three.
+fn time<T>(work: impl Fn() -> T) -> Duration {
+    let one = || {
+        let start = Instant::now();
+        let result = work();
+        let took = start.elapsed();
+        drop(result);
+        took
+    };
+    (0..3).map(|_| one()).min().expect("three")
+}
+
+/// Unoptimised code may take ten times as long.
+#[test]
+fn a_hundred_thousand_transitions_take_less_than_a_second() {
+    let limit = Duration::from_secs(if cfg!(debug_assertions) { 10 } else { 1 });
+    let tables = tables::random("Large", Size { states: 50_000, events: 6, rows: 45, components: 3 }, 1);
+    assert!(transitions(&tables) > 100_000, "only {}", transitions(&tables));
+    let writers = ways().into_iter().map(|(way, options)| {
+        let tables = &tables;
+        (way, Box::new(move || st::text(tables, &options).expect("it fits")) as Box<dyn Fn() -> String>)
+    });
+    let in_rust = || rust::text(&tables, &rust::Options::default());
+    for (way, writer) in writers.chain([("rust".to_owned(), Box::new(in_rust) as Box<dyn Fn() -> String>)]) {
+        let took = time(&writer);
+        println!("{way:14} {} transitions in {took:?}", transitions(&tables));
+        assert!(took < limit, "{way} takes {took:?}");
+    }
+}
