@@ -30,9 +30,9 @@ enum Duty {
 
 /// The monitor's picture of the cell, its open duties and what it has found.
 #[derive(Debug)]
-pub(crate) struct Monitor {
+pub struct Monitor {
     /// What was violated.
-    pub(crate) violations: Vec<String>,
+    pub violations: Vec<String>,
     duties: Vec<Duty>,
     feed_arm_at_belt: bool,
     feed_arm_carries: bool,
@@ -66,7 +66,7 @@ impl Monitor {
     }
 
     /// An event was consumed.
-    pub(crate) fn event(&mut self, event: Event) {
+    pub fn event(&mut self, event: Event) {
         for &duty in &self.duties {
             if self.is_possible(duty) {
                 self.violations.push(format!("{duty:?} was possible, but not commanded before {event:?}"));
@@ -107,7 +107,7 @@ impl Monitor {
     }
 
     /// Commands were issued.
-    pub(crate) fn commands(&mut self, commands: Commands) {
+    pub fn commands(&mut self, commands: Commands) {
         let feed_arm = commands.feed_arm.map(|command| match command {
             FeedArmCommand::PickUp => Duty::PickUpBlank,
             FeedArmCommand::MoveToPress => Duty::FeedArmToPress,

@@ -59,7 +59,7 @@ impl Worker {
 
 /// An arm.
 #[derive(Debug)]
-pub(crate) struct Arm {
+pub struct Arm {
     worker: Worker,
     place: Place,
     carries: bool,
@@ -73,15 +73,15 @@ impl Arm {
 
 /// The arm between feed belt and press.
 #[derive(Debug)]
-pub(crate) struct FeedArmDrive(Arm);
+pub struct FeedArmDrive(Arm);
 
 /// The arm between press and deposit belt.
 #[derive(Debug)]
-pub(crate) struct DepositArmDrive(Arm);
+pub struct DepositArmDrive(Arm);
 
 /// The press.
 #[derive(Debug)]
-pub(crate) struct PressDrive {
+pub struct PressDrive {
     worker: Worker,
     item: Option<Item>,
 }
@@ -130,13 +130,13 @@ impl Press for PressDrive {
 }
 
 /// The whole cell.
-pub(crate) struct Plant {
+pub struct Plant {
     /// Secondary of `feedArm`.
-    pub(crate) feed_arm: FeedArmDrive,
+    pub feed_arm: FeedArmDrive,
     /// Secondary of `depositArm`.
-    pub(crate) deposit_arm: DepositArmDrive,
+    pub deposit_arm: DepositArmDrive,
     /// Secondary of `press`.
-    pub(crate) press: PressDrive,
+    pub press: PressDrive,
     blank_on_belt: bool,
     until_blank: u32,
     delivered: u64,
@@ -146,7 +146,7 @@ pub(crate) struct Plant {
 
 impl Plant {
     /// An empty cell: the arms wait at the feed belt and at the press.
-    pub(crate) fn new(random: Random) -> Self {
+    pub fn new(random: Random) -> Self {
         Plant {
             feed_arm: FeedArmDrive(Arm::new("the feed arm", Place::FeedBelt)),
             deposit_arm: DepositArmDrive(Arm::new("the deposit arm", Place::Press)),
@@ -160,12 +160,12 @@ impl Plant {
     }
 
     /// Items on the deposit belt.
-    pub(crate) fn delivered(&self) -> u64 {
+    pub fn delivered(&self) -> u64 {
         self.delivered
     }
 
     /// Accidents since the last call.
-    pub(crate) fn accidents(&mut self) -> Vec<String> {
+    pub fn accidents(&mut self) -> Vec<String> {
         let mut all = std::mem::take(&mut self.accidents);
         for worker in [&mut self.feed_arm.0.worker, &mut self.deposit_arm.0.worker, &mut self.press.worker] {
             all.append(&mut worker.accidents);
@@ -174,7 +174,7 @@ impl Plant {
     }
 
     /// One cycle later: the sensors that have changed.
-    pub(crate) fn advance(&mut self) -> Vec<Event> {
+    pub fn advance(&mut self) -> Vec<Event> {
         let mut sensors = Vec::new();
         if !self.blank_on_belt {
             self.until_blank -= 1;

@@ -1,11 +1,11 @@
 //! Random numbers that are the same for the same seed on every machine.
 
 /// SplitMix64.
-pub(crate) struct Random(u64);
+pub struct Random(u64);
 
 impl Random {
     /// Starts a sequence.
-    pub(crate) fn new(seed: u64) -> Self {
+    pub fn new(seed: u64) -> Self {
         Random(seed)
     }
 
@@ -17,7 +17,7 @@ impl Random {
     }
 
     /// A number from 1 to `most`.
-    pub(crate) fn up_to(&mut self, most: u32) -> u32 {
+    pub fn up_to(&mut self, most: u32) -> u32 {
         (self.next() % u64::from(most)) as u32 + 1
     }
 }
