@@ -113,14 +113,14 @@ fn case() {
     check(Target::Case);
 }
 
-/// The press gets the feed arm's first command instead of its own.
+/// The press works when the feed arm picks up, and not when it has released an item.
 #[test]
 #[should_panic(expected = "assertion `left == right` failed")]
 fn a_wrong_command_is_noticed() {
     let tables = tables();
     let mut wrong = tables.clone();
     let codes = wrong.components[2].codes.iter_mut().zip(&tables.components[1].codes);
-    codes.for_each(|(press, feed_arm)| *press = u32::from(*feed_arm == 1));
+    codes.for_each(|(press, feed_arm)| *press = u32::from(*feed_arm == 3));
     let options = Options::default();
     let text = st::text(&wrong, &options).expect("it fits");
     delivered(&text, &tables, &options, 10);
