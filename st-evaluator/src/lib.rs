@@ -33,7 +33,7 @@
 //! - All sections of variables; `CONSTANT`; `RETAIN` is read, and no power is ever lost. `AT` is read, and means
 //!   nothing.
 //! - Functions, function blocks, programs, configurations. One call of a configuration is one scan: every program
-//!   runs, whatever its task's interval. Intervals and priorities are checked for their form.
+//!   runs, whatever its task's interval. What tasks there are, [`Unit::tasks`] tells.
 //! - All statements, all operators but `**`; `ABS MIN MAX LIMIT SEL MUX SHL SHR ROL ROR LEN LEFT RIGHT MID CONCAT`,
 //!   `X_TO_Y`; `R_TRIG F_TRIG TON TOF TP SR RS CTU` with a clock that [`Instance::advance`] moves.
 //! - In CODESYS and TwinCAT: `POINTER TO` elementary types and arrays of them, `ADR`, `p^`, `p[i]`, `SIZEOF`,
@@ -91,6 +91,7 @@ mod machine;
 mod prelude;
 mod reserved;
 mod spelling;
+mod task;
 mod tree;
 mod types;
 mod unit;
@@ -100,5 +101,6 @@ pub use dialect::Dialect;
 pub use error::{AccessError, Error, RuntimeError};
 pub use instance::Instance;
 pub use machine::Stats;
+pub use task::Task;
 pub use unit::Unit;
 pub use value::Value;

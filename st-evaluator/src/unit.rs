@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use crate::declare::{Analysis, Pou, PouKind, Section, Task, Variable};
+use crate::declare::{Analysis, Pou, PouKind, Program, Section, Variable};
 use crate::dialect::Dialect;
 use crate::error::{AccessError, Error};
 use crate::instance::{Instance, Root};
+use crate::task::Task;
 use crate::tree::Source;
 use crate::types::Types;
 
@@ -17,7 +18,8 @@ pub struct Unit {
     pub(crate) globals: BTreeMap<String, Variable>,
     pub(crate) constants: Vec<i64>,
     pub(crate) global_cells: Vec<i64>,
-    programs: Vec<Task>,
+    programs: Vec<Program>,
+    tasks: Vec<Task>,
 }
 
 impl Unit {
@@ -30,9 +32,10 @@ impl Unit {
     pub fn parse(text: &str, dialect: Dialect) -> Result<Unit, Vec<Error>> {
         let (source, tree) = Source::parse(text, dialect)?;
         let analysis = Analysis::of(&source, tree.root_node());
-        let Analysis { mut errors, types, pous, globals, constants, global_cells, programs, .. } = analysis;
+        let Analysis { mut errors, types, pous, globals, constants, global_cells, programs, tasks, .. } =
+            analysis;
         if errors.is_empty() {
-            return Ok(Unit { types, pous, globals, constants, global_cells, programs });
+            return Ok(Unit { types, pous, globals, constants, global_cells, programs, tasks });
         }
         errors.sort();
         errors.dedup();
@@ -65,8 +68,14 @@ impl Unit {
         if self.programs.is_empty() {
             return Err(AccessError("no configuration names a program".to_owned()));
         }
-        let roots = self.programs.iter().map(|task| Root { name: task.program.clone(), pou: task.pou });
+        let roots = self.programs.iter().map(|program| Root { name: program.name.clone(), pou: program.pou });
         Ok(Instance::new(self, roots.collect()))
+    }
+
+    /// The tasks of all configurations, in the order of the text.
+    #[must_use]
+    pub fn tasks(&self) -> &[Task] {
+        &self.tasks
     }
 
     /// The names of the function blocks, programs and functions of the text, in its order.

@@ -436,7 +436,7 @@ fn configurations() {
     check(Edition2, &with(task, "PROGRAM M WITH L : Main;"), "there is no task `L`");
     check(Edition2, &with(task, "PROGRAM M WITH K : B;"), "there is no program `B`");
     check(Edition2, &with(task, "PROGRAM M WITH K : Q;"), "there is no program `Q`");
-    check(Edition2, &with("TASK K(INTERVAL := 10, PRIORITY := 1);", ""), "`time_literal` is wanted");
+    check(Edition2, &with("TASK K(INTERVAL := 10, PRIORITY := 1);", ""), "a duration is wanted");
     check(Edition2, &with("TASK K(INTERVAL := T#10ms);", ""), "a task has a `PRIORITY`");
     check(Edition2, &with(task, "PROGRAM B WITH K : Main;"), "declared at the top, too");
 }

@@ -436,6 +436,9 @@ END_CONFIGURATION";
     assert_eq!(configuration.int("second.SEEN"), Ok(7));
     assert_eq!(configuration.int("shared"), Ok(7));
     assert_eq!(unit.names().collect::<Vec<_>>(), ["Adds"]);
+    let [task] = unit.tasks() else { panic!("{:?}", unit.tasks()) };
+    assert_eq!((task.name.as_str(), task.interval), ("Cyclic", Some(Duration::from_millis(10))));
+    assert_eq!((task.priority, &task.programs[..]), (1, &["First".to_owned(), "Second".to_owned()][..]));
 }
 
 const SCL: &str = "

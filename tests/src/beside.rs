@@ -124,6 +124,8 @@ impl<'a> Model<'a> {
 pub struct Running<'u> {
     names: NameMap,
     instance: Instance<'u>,
+    /// What stands before every name.
+    prefix: &'static str,
     /// What no call may exceed.
     bound: Cost,
 }
@@ -139,7 +141,25 @@ impl<'u> Running<'u> {
         let names = st::names(tables, options);
         let instance = unit.instance(&names.function_block).expect("the function block is there");
         let bound = st::bound(tables, options).expect("it fits");
-        Running { names, instance, bound }
+        Running { names, instance, prefix: "", bound }
+    }
+
+    /// The program that passes everything through, run by the text's configuration, in SCL by its organization block.
+    ///
+    /// # Panics
+    ///
+    /// If there is none.
+    #[must_use]
+    pub fn program(unit: &'u Unit, tables: &Tables, options: &Options) -> Running<'u> {
+        let block = Running::new(unit, tables, options);
+        let instance = match options.target {
+            Target::Siemens => unit.instance("Cyclic"),
+            _ => unit.configuration(),
+        };
+        // Two calls at most, and an assignment for every output.
+        let outputs = block.names.components.len() as u64 + 4;
+        let bound = Cost { statements: block.bound.statements + 2 + outputs, ..block.bound };
+        Running { instance: instance.expect("something runs the program"), prefix: "Main0.", bound, ..block }
     }
 
     /// Outputs, or what is wrong with the call itself: it fails, wraps integers around, or takes more than its bound.
@@ -152,11 +172,12 @@ impl<'u> Running<'u> {
     ///
     /// If an input or output is missing, or an input is written.
     pub fn call(&mut self, inputs: &Inputs) -> Result<Outputs, String> {
+        let path = |name: &str| format!("{}{name}", self.prefix);
         let block = &mut self.instance;
-        block.set("enable", inputs.enable).expect("an input");
-        block.set("reset", inputs.reset).expect("an input");
+        block.set(&path("enable"), inputs.enable).expect("an input");
+        block.set(&path("reset"), inputs.reset).expect("an input");
         for ((_, name), value) in self.names.events.iter().zip(&inputs.events) {
-            block.set(name, *value).expect("an input");
+            block.set(&path(name), *value).expect("an input");
         }
         let stats = block.call().map_err(|error| error.to_string())?;
         let Cost { statements, iterations, .. } = self.bound;
@@ -167,17 +188,18 @@ impl<'u> Running<'u> {
             ));
         }
         for ((_, name), value) in self.names.events.iter().zip(&inputs.events) {
-            assert_eq!(block.bool(name), Ok(*value), "inputs are not written");
+            assert_eq!(block.bool(&path(name)), Ok(*value), "inputs are not written");
         }
-        let number = |name: &str| u32::try_from(block.int(name).expect("an output")).expect("not negative");
-        let mut pending = block.bools("pending").expect("an output");
+        let number =
+            |name: &str| u32::try_from(block.int(&path(name)).expect("an output")).expect("not negative");
+        let mut pending = block.bools(&path("pending")).expect("an output");
         pending.truncate(self.names.events.len());
         Ok(Outputs {
             commands: self.names.components.iter().map(|c| number(&c.output)).collect(),
             state: number("state_no"),
             pending,
-            unexpected: block.bool("unexpected").expect("an output"),
-            overrun: block.bool("overrun").expect("an output"),
+            unexpected: block.bool(&path("unexpected")).expect("an output"),
+            overrun: block.bool(&path("overrun")).expect("an output"),
         })
     }
 }
@@ -233,16 +255,27 @@ pub fn difference(
     calls: usize,
 ) -> Option<String> {
     let unit = compiled(text, options.target);
-    let mut running = Running::new(&unit, tables, &options);
-    let mut model = Model::new(tables, controller, options);
-    let random = &mut Random::new(0x5EED);
-    for call in 0..calls {
-        let inputs = inputs(&model.reference, &model.previous, random);
-        let expected = model.call(&inputs);
+    first_difference(Running::new(&unit, tables, &options), Model::new(tables, controller, options), calls)
+}
+
+/// The first of so many calls with random inputs in which they differ.
+#[must_use]
+pub fn first_difference(mut running: Running<'_>, model: Model<'_>, calls: usize) -> Option<String> {
+    for (call, (inputs, expected)) in stimuli(model).take(calls).enumerate() {
         let found = running.call(&inputs);
         if found.as_ref() != Ok(&expected) {
             return Some(format!("call {call}: {found:?} instead of {expected:?}"));
         }
     }
     None
+}
+
+/// Calls with random inputs without end, the same for the same model: what goes in, and what must come out.
+pub fn stimuli(mut model: Model<'_>) -> impl Iterator<Item = (Inputs, Outputs)> {
+    let mut random = Random::new(0x5EED);
+    std::iter::repeat_with(move || {
+        let inputs = inputs(&model.reference, &model.previous, &mut random);
+        let outputs = model.call(&inputs);
+        (inputs, outputs)
+    })
 }

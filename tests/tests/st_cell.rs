@@ -38,7 +38,7 @@ impl Controls for Both<'_> {
 
     fn cycle<O: Observer<Event, Commands>>(&mut self, observer: &mut O) -> Commands {
         let commands = self.rust.cycle_observed(observer);
-        let outputs = self.block.call(&self.inputs);
+        let outputs = self.block.call(&self.inputs).expect("it runs");
         assert_eq!(outputs.commands, codes(commands));
         assert_eq!(outputs.state, self.rust.state());
         let pending = self.events.iter().map(|&event| self.rust.is_pending(event));

@@ -2,9 +2,11 @@
 //!
 //! `SML_CYCLES` asks for more than 1000 calls of each text.
 
-use sml_tests::beside::{compiled, difference};
+use sml_tests::beside::{Model, Running, compiled, difference, first_difference};
 use sml_tests::corpus;
-use sml_tests::tables::{self, Random, Size};
+use sml_tests::tables::{self, Size};
+use st_evaluator::Task;
+use std::time::Duration;
 use synth_core::controller::Controller;
 use synth_core::controller::tables::{Mapping, Provenance, Tables};
 use synth_core::emit::st::{self, Encoding, Integers, Options, Target, Trigger, Unexpected};
@@ -121,44 +123,29 @@ fn made_by_hand() {
     }
 }
 
-/// The program passes everything through, and the configuration runs it; in SCL, a block that has an instance.
+/// The program passes everything through, and what the text says runs it: a task of 10 ms, or an organization block.
 #[test]
-fn the_configuration_runs_the_program() {
-    let tables = tables::cell();
-    for options in all_targets() {
-        let text = st::text(&tables, &options).expect("it fits");
-        let names = st::names(&tables, &options);
-        let unit = compiled(&text, options.target);
-        let (mut program, prefix) = match options.target {
-            Target::Siemens => (unit.instance(&names.program).expect("it is there"), ""),
-            _ => (unit.configuration().expect("there is one"), "Main0."),
-        };
-        let mut block = unit.instance(&names.function_block).expect("it is there");
-        let random = &mut Random::new(7);
-        for _ in 0..200 {
-            for (_, input) in &names.events {
-                let value = random.below(3) == 0;
-                block.set(input, value).expect("an input");
-                program.set(&format!("{prefix}{input}"), value).expect("an input");
-            }
-            block.call().expect("it runs");
-            program.call().expect("it runs");
-            let outputs = names.components.iter().map(|component| component.output.as_str());
-            for output in outputs.chain(["state_no", "pending", "unexpected", "overrun"]) {
-                assert_eq!(program.get(&format!("{prefix}{output}")), block.get(output), "{output}");
+fn programs_of_the_corpus() {
+    for (name, controller) in corpus::controllers() {
+        let tables = Tables::new(&name, &controller, Provenance::default());
+        for target in Target::ALL {
+            let options = Options { target, ..Options::default() };
+            let text = st::text(&tables, &options).expect("it fits");
+            let unit = compiled(&text, target);
+            let running = Running::program(&unit, &tables, &options);
+            let model = Model::new(&tables, &controller, options);
+            assert_eq!(first_difference(running, model, calls() / 5), None, "{name} with {options:?}");
+            if target != Target::Siemens {
+                let task = Task {
+                    name: "Cyclic".to_owned(),
+                    interval: Some(Duration::from_millis(10)),
+                    priority: 1,
+                    programs: vec!["Main0".to_owned()],
+                };
+                assert_eq!(unit.tasks(), [task]);
             }
         }
     }
-}
-
-/// An organization block of SCL calls the program's instance.
-#[test]
-fn the_organization_block_runs() {
-    let options = Options { target: Target::Siemens, ..Options::default() };
-    let text = st::text(&tables::cell(), &options).expect("it fits");
-    let unit = compiled(&text, Target::Siemens);
-    let mut cyclic = unit.instance("Cyclic").expect("it is there");
-    assert!(cyclic.call().expect("it runs").calls >= 2);
 }
 
 /// Events that come in the order opposite to that of the tables, so that every round consumes one; each has four rows far

@@ -87,7 +87,7 @@ impl<'t> Body<'_, 't> {
 }
 
 /// `16#FF`, `-1_000`.
-fn integer(text: &str) -> Option<i128> {
+pub(crate) fn integer(text: &str) -> Option<i128> {
     let digits: String = text.chars().filter(|c| *c != '_').collect();
     let (negative, digits) = match digits.strip_prefix('-') {
         Some(rest) => (true, rest),
@@ -101,7 +101,7 @@ fn integer(text: &str) -> Option<i128> {
 }
 
 /// `T#1h30m`, `TIME#-1.5s`.
-fn nanoseconds(text: &str) -> Option<i64> {
+pub(crate) fn nanoseconds(text: &str) -> Option<i64> {
     let (_, duration) = text.split_once('#')?;
     let (sign, mut rest) = match duration.strip_prefix('-') {
         Some(rest) => (-1, rest),

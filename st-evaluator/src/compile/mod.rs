@@ -1,7 +1,7 @@
 //! From syntax to [`code`](crate::code): names, types, and everything that a compiler refuses.
 
 mod call;
-mod literal;
+pub(crate) mod literal;
 mod operators;
 mod place;
 mod standard;

@@ -1,10 +1,12 @@
 //! `CONFIGURATION`: which programs run.
 
-use std::collections::BTreeSet;
+use std::time::Duration;
 
 use tree_sitter::Node;
 
-use super::{Analysis, PouKind, Task};
+use super::{Analysis, PouKind, Program};
+use crate::compile::literal::{integer, nanoseconds};
+use crate::task::Task;
 use crate::tree::{children, field, part};
 
 impl<'t> Analysis<'t> {
@@ -23,7 +25,7 @@ impl<'t> Analysis<'t> {
     }
 
     fn resource(&mut self, node: Node<'t>) {
-        let mut tasks = BTreeSet::new();
+        let mut tasks: Vec<Task> = Vec::new();
         for name in field(node, "name") {
             self.check_name(name);
         }
@@ -32,56 +34,70 @@ impl<'t> Analysis<'t> {
                 "task_declaration" => {
                     let Some(name) = part(item, "name") else { continue };
                     self.check_name(name);
-                    if !tasks.insert(self.source.name(name)) {
+                    let task = self.task(name, item);
+                    if find(&mut tasks, &task.name).is_some() {
                         self.error(name, "there are two tasks of this name");
                     }
-                    self.task(item);
+                    tasks.push(task);
                 }
-                "program_assignment" => self.program(item, &tasks),
+                "program_assignment" => self.program(item, &mut tasks),
                 _ => {}
             }
         }
+        self.tasks.append(&mut tasks);
     }
 
-    fn task(&mut self, node: Node<'t>) {
-        let mut has_priority = false;
+    fn task(&mut self, name: Node<'t>, node: Node<'t>) -> Task {
+        let (mut interval, mut priority) = (None, None);
         for parameter in children(node) {
             let (Some(name), Some(value)) = (part(parameter, "name"), part(parameter, "value")) else {
                 continue;
             };
-            let wanted = match self.source.name(name).as_str() {
-                "INTERVAL" => "time_literal",
-                "PRIORITY" => {
-                    has_priority = true;
-                    "integer_literal"
+            let text = self.source.text(value);
+            let read = match self.source.name(name).as_str() {
+                "INTERVAL" => {
+                    let time = nanoseconds(text).filter(|_| value.kind() == "time_literal");
+                    interval = time.and_then(|time| u64::try_from(time).ok()).map(Duration::from_nanos);
+                    interval.is_some()
                 }
-                "SINGLE" => continue,
+                "PRIORITY" => {
+                    let number = integer(text).filter(|_| value.kind() == "integer_literal");
+                    priority = number.and_then(|number| u32::try_from(number).ok());
+                    priority.is_some()
+                }
+                "SINGLE" => true,
                 other => {
                     let message = format!("a task has no `{other}`");
                     self.error(name, message);
-                    continue;
+                    true
                 }
             };
-            if value.kind() != wanted {
-                self.error(value, format!("a `{wanted}` is wanted here"));
+            if !read {
+                self.error(value, "a duration is wanted for `INTERVAL`, a number for `PRIORITY`");
             }
         }
-        if !has_priority {
+        if priority.is_none() {
             self.error(node, "a task has a `PRIORITY`");
         }
+        let name = self.source.text(name).to_owned();
+        Task { name, interval, priority: priority.unwrap_or_default(), programs: Vec::new() }
     }
 
-    fn program(&mut self, node: Node<'t>, tasks: &BTreeSet<String>) {
+    fn program(&mut self, node: Node<'t>, tasks: &mut [Task]) {
         let (Some(name), Some(ty)) = (part(node, "name"), part(node, "program_type")) else { return };
         self.check_name(name);
-        if let Some(task) = part(node, "task").filter(|task| !tasks.contains(&self.source.name(*task))) {
-            self.error(task, format!("there is no task `{}`", self.source.text(task)));
+        if let Some(task) = part(node, "task") {
+            let text = self.source.text(task);
+            match find(tasks, text) {
+                Some(task) => task.programs.push(self.source.text(name).to_owned()),
+                None => self.error(task, format!("there is no task `{text}`")),
+            }
         }
         if let Some(arguments) = children(node).into_iter().find(|child| child.kind() == "argument_list") {
             self.error(arguments, "connections of a program are not supported");
         }
         let capitals = self.source.name(name);
-        if self.programs.iter().any(|known| known.program.eq_ignore_ascii_case(&capitals)) {
+        if self.programs.iter().any(|known| known.name.eq_ignore_ascii_case(&capitals)) {
             self.error(name, "there are two programs of this name");
         }
         if self.is_strict() && self.is_declared(&capitals) {
@@ -89,9 +105,13 @@ impl<'t> Analysis<'t> {
         }
         match self.pou(ty).filter(|&index| self.pous[index].kind == PouKind::Program) {
             Some(pou) => {
-                self.programs.push(Task { program: self.source.text(name).to_owned(), pou });
+                self.programs.push(Program { name: self.source.text(name).to_owned(), pou });
             }
             None => self.error(ty, format!("there is no program `{}`", self.source.text(ty))),
         }
     }
+}
+
+fn find<'a>(tasks: &'a mut [Task], name: &str) -> Option<&'a mut Task> {
+    tasks.iter_mut().find(|task| task.name.eq_ignore_ascii_case(name))
 }

@@ -13,6 +13,7 @@ use crate::code::{Place, Step};
 use crate::compile;
 use crate::error::{Error, Position};
 use crate::reserved::Reserved;
+use crate::task::Task;
 use crate::tree::{Source, children, has_token, part, position};
 use crate::types::{Type, TypeId, Types};
 
@@ -113,8 +114,8 @@ struct Declaration<'t> {
 
 /// A program of the configuration: its name and what it is an instance of.
 #[derive(Clone, Debug)]
-pub(crate) struct Task {
-    pub(crate) program: String,
+pub(crate) struct Program {
+    pub(crate) name: String,
     pub(crate) pou: usize,
 }
 
@@ -132,7 +133,8 @@ pub(crate) struct Analysis<'t> {
     /// Cells that nothing writes.
     pub(crate) constants: Vec<i64>,
     pub(crate) global_cells: Vec<i64>,
-    pub(crate) programs: Vec<Task>,
+    pub(crate) programs: Vec<Program>,
+    pub(crate) tasks: Vec<Task>,
     declared: BTreeMap<String, Declaration<'t>>,
     /// Names in the order of the text.
     order: Vec<String>,
@@ -153,6 +155,7 @@ impl<'t> Analysis<'t> {
             constants: Vec::new(),
             global_cells: Vec::new(),
             programs: Vec::new(),
+            tasks: Vec::new(),
             declared: BTreeMap::new(),
             order: Vec::new(),
             bodies: Vec::new(),
