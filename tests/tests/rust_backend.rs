@@ -1,7 +1,9 @@
-//! Generated modules compiled as in a user's crate: free of warnings, and the same as the contract, step for step.
+//! Generated modules compiled as in a user's crate: free of warnings, and the same as the contract and as Structured
+//! Text, step for step.
 
 use std::fmt::Write as _;
 
+use sml_tests::beside::{Inputs, Model, Running, compiled, stimuli};
 use sml_tests::corpus;
 use sml_tests::reference::Reference;
 use sml_tests::scratch::Scratch;
@@ -10,6 +12,7 @@ use synth_core::controller::cycle::Machine;
 use synth_core::controller::tables::{Provenance, Tables};
 use synth_core::controller::{Controller, json};
 use synth_core::emit::rust::{Options, module, text};
+use synth_core::emit::st;
 
 /// A module, the tables it is of, and the fields of its `Commands`.
 struct Case {
@@ -191,12 +194,93 @@ fn modules_have_no_warnings_and_step_as_the_contract_says() {
             lines.push((line, expected(&mut reference, &case.tables, action, event)));
         }
     }
-    let run = scratch.cargo(&["run", "--quiet", "--bin", "drive"], &input).expect("cargo runs");
-    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
-    let printed = String::from_utf8(run.stdout).expect("text");
+    let printed = drive(&scratch, &input);
     assert_eq!(printed.lines().count(), lines.len());
     for (number, (printed, (line, expected))) in printed.lines().zip(&lines).enumerate() {
         assert_eq!(printed, expected, "at `{line}`, line {number}");
+    }
+    let scans: Vec<Vec<Inputs>> = cases.iter().map(scans).collect();
+    let actions = cases.iter().zip(&scans).map(|(case, scans)| actions(&case.module, scans));
+    let printed = drive(&scratch, &actions.collect::<String>());
+    let mut printed = printed.lines();
+    for (case, scans) in cases.iter().zip(&scans) {
+        structured_text_does_the_same(case, scans, &mut printed);
+    }
+    assert_eq!(printed.next(), None);
+}
+
+/// What the generated controllers print.
+fn drive(scratch: &Scratch, input: &str) -> String {
+    let run = scratch.cargo(&["run", "--quiet", "--bin", "drive"], input).expect("cargo runs");
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    String::from_utf8(run.stdout).expect("text")
+}
+
+/// Every input that is TRUE raises its event.
+fn st_options(target: st::Target) -> st::Options {
+    st::Options { target, trigger: st::Trigger::Level, ..st::Options::default() }
+}
+
+/// Random inputs of a function block.
+fn scans(case: &Case) -> Vec<Inputs> {
+    let controller = tables::controller(&case.tables);
+    let model = Model::new(&case.tables, &controller, st_options(st::Target::Iec));
+    stimuli(model).take(1000).map(|(inputs, _)| inputs).collect()
+}
+
+/// The same for the generated Rust, which begins anew: nothing in a pause, else something that ends with `reset` or
+/// `cycle`.
+fn actions(module: &str, scans: &[Inputs]) -> String {
+    let mut actions = format!("{module} reset\n");
+    for Inputs { enable, reset, events } in scans {
+        if *reset {
+            let _ = writeln!(actions, "{module} reset");
+        } else if *enable {
+            for event in (0..events.len()).filter(|&event| events[event]) {
+                let _ = writeln!(actions, "{module} raise {event}");
+            }
+            let _ = writeln!(actions, "{module} cycle");
+        }
+    }
+    actions
+}
+
+/// The text of every target outputs in every call what the generated Rust has printed.
+fn structured_text_does_the_same<'p>(
+    case: &Case,
+    scans: &[Inputs],
+    printed: &mut impl Iterator<Item = &'p str>,
+) {
+    let Case { module, tables, .. } = case;
+    let texts = st::Target::ALL.map(|target| {
+        let options = st_options(target);
+        (options, compiled(&st::text(tables, &options).expect("it fits"), target))
+    });
+    let mut running =
+        texts.each_ref().map(|(options, unit)| (options.target, Running::new(unit, tables, options)));
+    printed.next().expect("a reset");
+    for (number, inputs) in scans.iter().enumerate() {
+        let mut overrun = false;
+        let mut said = None;
+        if inputs.reset {
+            said = printed.next();
+        } else if inputs.enable {
+            for _ in inputs.events.iter().filter(|event| **event) {
+                overrun |= printed.next().is_some_and(|line| line.starts_with("false "));
+            }
+            said = printed.next();
+        }
+        for (target, running) in &mut running {
+            let outputs = running.call(inputs);
+            let pending: Vec<usize> =
+                (0..inputs.events.len()).filter(|&event| outputs.pending[event]).collect();
+            let place = format!("{module}, {}, scan {number}", target.name());
+            assert_eq!(outputs.overrun, overrun, "{place}");
+            let Some(line) = said else { continue };
+            let commands = if inputs.reset { String::new() } else { format!("{:?}", outputs.commands) };
+            let state = format!("] {} {pending:?} [", outputs.state);
+            assert!(line.starts_with(&format!("{commands} [")) && line.contains(&state), "{place}: {line}");
+        }
     }
 }
 
