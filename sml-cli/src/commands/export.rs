@@ -164,10 +164,12 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
         Some(path) if arguments.check => compare(path, &text, arguments)?,
         path => output::product(path.as_deref(), &text)?,
     }
-    if session.format() == Format::Json
-        && arguments.output.as_deref().is_some_and(|path| path.as_os_str() != "-")
-    {
-        output::print(&figures::json(arguments.target, &text, &tables, &options))?;
+    if let Some(path) = arguments.output.as_deref().filter(|path| path.as_os_str() != "-") {
+        match session.format() {
+            Format::Json => output::print(&figures::json(arguments.target, &text, &tables, &options))?,
+            Format::Text if arguments.check => {}
+            Format::Text => output::note(&figures::line(&path.display().to_string(), &text, &tables)),
+        }
     }
     Ok(Exit::Done)
 }

@@ -169,7 +169,17 @@ fn figures_of_an_output_are_its_own() {
         assert_eq!(figures["target"], target);
         assert_eq!(figures["bytes"], text.len());
         assert_eq!(figures["lines"], text.lines().count());
-        assert!(figures["transitions"].as_u64() > Some(0));
+        let transitions = figures["transitions"].as_f64().expect("a number");
+        let each = figures["bytes_per_transition"].as_f64().expect("a number");
+        assert!(transitions > 0.0 && (each * transitions - text.len() as f64).abs() <= 0.05 * transitions);
+        let line = format!(
+            "{}: {} lines, {} bytes, {each:.1} bytes per transition\n",
+            path.display(),
+            figures["lines"],
+            figures["bytes"]
+        );
+        assert_eq!(sml(&format!("{export} -o {}", path.display())).stderr, line);
+        assert_eq!(sml(&format!("{export} -o {} --check", path.display())).stderr, "");
         if target == "rust" {
             assert!(figures["bounds"].is_null());
             continue;

@@ -1,7 +1,8 @@
-//! `sml export -o OUT --format json`: how large the output is, and what a call of it costs at most.
+//! Beside an output that `sml export` has written to a file: how large it is, and what a call of it costs at most.
 
 use serde::Serialize;
 use synth_core::controller::tables::Tables;
+use synth_core::diagnostic::counted;
 use synth_core::emit::st;
 
 use super::Target;
@@ -13,6 +14,8 @@ struct Document<'a> {
     lines: usize,
     bytes: usize,
     transitions: usize,
+    /// None if there are no transitions.
+    bytes_per_transition: Option<f64>,
     bounds: Option<Bounds>,
 }
 
@@ -31,9 +34,15 @@ struct Bound {
     probes: u64,
 }
 
-/// The figures of `text`, written with `options` if it is Structured Text.
+/// For people: `cell.st: 511 lines, 20187 bytes, 60.8 bytes per transition`.
+pub(super) fn line(path: &str, text: &str, tables: &Tables) -> String {
+    let each = per_transition(text, tables)
+        .map_or_else(String::new, |each| format!(", {each:.1} bytes per transition"));
+    format!("{path}: {}, {}{each}", counted(text.lines().count(), "line"), counted(text.len(), "byte"))
+}
+
+/// As JSON; `text` was written with `options` if it is Structured Text.
 pub(super) fn json(target: Target, text: &str, tables: &Tables, options: &st::Options) -> String {
-    let rows = tables.events.iter().map(|table| table.mapping.source.len()).sum::<usize>();
     let bound = |drain| {
         let cost = st::bound(tables, &st::Options { drain, ..*options }).ok()?;
         Some(Bound { statements: cost.statements, iterations: cost.iterations, probes: cost.probes })
@@ -43,8 +52,21 @@ pub(super) fn json(target: Target, text: &str, tables: &Tables, options: &st::Op
         target: &target.to_string(),
         lines: text.lines().count(),
         bytes: text.len(),
-        transitions: rows + tables.super_steps.source.len(),
+        transitions: transitions(tables),
+        bytes_per_transition: per_transition(text, tables),
         bounds: target.structured_text().map(|_| Bounds { cycle: bound(false), drain: bound(true) }),
     };
     format!("{}\n", serde_json::to_string(&document).expect("strings and numbers always serialize"))
+}
+
+/// Rows of events, and super steps.
+fn transitions(tables: &Tables) -> usize {
+    let rows = tables.events.iter().map(|table| table.mapping.source.len()).sum::<usize>();
+    rows + tables.super_steps.source.len()
+}
+
+/// Rounded to tenths.
+fn per_transition(text: &str, tables: &Tables) -> Option<f64> {
+    let transitions = transitions(tables);
+    (transitions > 0).then(|| (10.0 * text.len() as f64 / transitions as f64).round() / 10.0)
 }
