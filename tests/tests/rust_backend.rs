@@ -271,7 +271,7 @@ fn structured_text_does_the_same<'p>(
             said = printed.next();
         }
         for (target, running) in &mut running {
-            let outputs = running.call(inputs);
+            let outputs = running.call(inputs).expect("it runs");
             let pending: Vec<usize> =
                 (0..inputs.events.len()).filter(|&event| outputs.pending[event]).collect();
             let place = format!("{module}, {}, scan {number}", target.name());

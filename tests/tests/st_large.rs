@@ -4,14 +4,15 @@
 use sml_tests::beside::difference;
 use sml_tests::published;
 use sml_tests::tables::{self, Size};
-use synth_core::controller::Controller;
 use synth_core::controller::tables::{Provenance, Tables};
-use synth_core::emit::st::{self, Options, Target};
+use synth_core::controller::{Controller, number};
+use synth_core::emit::st::{self, Encoding, Options, Target};
 
 #[track_caller]
 fn check(tables: &Tables, controller: &Controller, calls: usize) {
-    for target in Target::ALL {
-        let options = Options { target, ..Options::default() };
+    let rows = [(Target::Iec, Encoding::Rows), (Target::Codesys, Encoding::Rows)];
+    for (target, encoding) in Target::ALL.map(|target| (target, Encoding::Runs)).into_iter().chain(rows) {
+        let options = Options { target, encoding, ..Options::default() };
         let text = st::text(tables, &options).expect("it fits");
         assert_eq!(difference(&text, tables, controller, options, calls), None, "{options:?}");
     }
@@ -20,6 +21,7 @@ fn check(tables: &Tables, controller: &Controller, calls: usize) {
 #[test]
 fn of_the_published_size() {
     for controller in [published::machine(1), published::random(1)] {
+        let controller = number(controller);
         let tables = Tables::new("Published", &controller, Provenance::default());
         check(&tables, &controller, 1000);
     }
