@@ -29,6 +29,7 @@ mod integer;
 mod layout;
 mod names;
 mod program;
+mod unit;
 mod writer;
 
 use crate::controller::tables::Tables;
@@ -135,10 +136,14 @@ pub struct Options {
 /// What the target cannot hold ([`Unfit`]), before anything is written.
 pub fn text(tables: &Tables, options: &Options) -> Result<String, Unfit> {
     let block = Block::new(tables, options)?;
-    let mut out = Writer::new(block.dialect().frame.marks_locals());
+    let frame = block.dialect().frame;
+    let mut out = Writer::new(frame.marks_locals());
     header::write(&mut out, &block);
-    block.write(&mut out);
-    program::write(&mut out, &block);
+    frame.declare_events(&mut out, &block.names, &block.events_array());
+    for unit in block.units().iter().chain([&program::unit(&block)]) {
+        frame.unit(&mut out, unit);
+    }
+    frame.configuration(&mut out, &block.names);
     Ok(out.finish())
 }
 
