@@ -146,7 +146,7 @@ impl Writer {
 }
 
 /// A text that neither ends the comment it stands in nor opens another.
-fn harmless(text: &str) -> String {
+pub(super) fn harmless(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut before = ' ';
     for c in text.chars() {
