@@ -105,11 +105,12 @@ fn report() {
     }
 }
 
-/// The most lines and bytes of each target at the published size: with the structure of a machine, and without any.
+/// The most lines and bytes of each target at the published size: with the structure of a machine, and without any. That
+/// of `iec` is half of what was published.
 const LIMITS: [(Target, [(usize, usize); 2]); 5] = [
-    (Target::Iec, [(440, 41_500), (480, 97_669 / 2)]),
-    (Target::Codesys, [(450, 42_000), (490, 49_500)]),
-    (Target::Twincat, [(450, 42_000), (490, 49_500)]),
+    (Target::Iec, [(370, 41_500), (789 / 2, 97_669 / 2)]),
+    (Target::Codesys, [(380, 42_000), (400, 49_500)]),
+    (Target::Twincat, [(380, 42_000), (400, 49_500)]),
     (Target::Siemens, [(450, 42_000), (490, 49_900)]),
     (Target::Case, [(22_300, 575_000), (22_600, 590_000)]),
 ];

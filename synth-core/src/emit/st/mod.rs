@@ -140,7 +140,7 @@ pub struct Options {
 pub fn text(tables: &Tables, options: &Options) -> Result<String, Unfit> {
     let block = Block::new(tables, options)?;
     let Dialect { frame, notes, .. } = block.dialect();
-    let mut out = Writer::new(frame.marks_locals());
+    let mut out = Writer::new(*frame);
     header::header(&block, options.target.name(), notes).write(&mut out);
     frame.declare_events(&mut out, &block.names, &block.events_array());
     for unit in block.units().iter().chain([&program::unit(&block)]) {

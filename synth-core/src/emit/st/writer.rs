@@ -2,11 +2,10 @@
 
 use std::fmt::{Display, Write as _};
 
+use super::dialect::Frame;
+
 /// The longest line for readers, in characters.
 pub(super) const LINE_LIMIT: usize = 120;
-
-/// The longest line of numbers, which nobody reads.
-const NUMBERS_LIMIT: usize = 200;
 
 const INDENT: &str = "  ";
 
@@ -15,12 +14,14 @@ pub(super) struct Writer {
     out: String,
     depth: usize,
     marks_locals: bool,
+    numbers_limit: usize,
 }
 
 impl Writer {
-    /// Whether the marks of local names in statements stay.
-    pub(super) fn new(marks_locals: bool) -> Writer {
-        Writer { out: String::new(), depth: 0, marks_locals }
+    /// For the text of a frame.
+    pub(super) fn new(frame: &dyn Frame) -> Writer {
+        let (marks_locals, numbers_limit) = (frame.marks_locals(), frame.numbers_limit());
+        Writer { out: String::new(), depth: 0, marks_locals, numbers_limit }
     }
 
     pub(super) fn finish(self) -> String {
@@ -129,7 +130,7 @@ impl Writer {
     pub(super) fn array(&mut self, opening: impl Display, values: &[u32]) {
         let last = values.len().saturating_sub(1);
         self.block(format_args!("{opening} ["), "];", |out| {
-            let width = NUMBERS_LIMIT - out.depth * INDENT.len();
+            let width = out.numbers_limit - out.depth * INDENT.len();
             let mut line = String::new();
             for (index, value) in values.iter().enumerate() {
                 let comma = if index == last { "" } else { "," };
@@ -191,6 +192,7 @@ fn wrapped(text: &str, width: usize) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Target;
     use super::*;
 
     #[track_caller]
@@ -214,11 +216,12 @@ mod tests {
 
     #[test]
     fn arrays_keep_the_line_limit() {
-        let mut writer = Writer::new(false);
+        let frame = Target::Siemens.dialect().frame;
+        let mut writer = Writer::new(frame);
         let values: Vec<u32> = (10_000..10_060).collect();
         writer.array("x : ARRAY [0..59] OF UINT :=", &values);
         let text = writer.finish();
-        assert!(text.lines().all(|line| line.len() <= NUMBERS_LIMIT));
+        assert!(text.lines().all(|line| line.len() <= frame.numbers_limit()));
         assert_eq!(text.lines().count(), 4);
         assert!(text.starts_with("x : ARRAY [0..59] OF UINT := [\n  10000,10001,"));
         assert!(text.ends_with(",10059\n];\n"));

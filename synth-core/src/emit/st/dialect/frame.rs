@@ -10,6 +10,9 @@ pub(in crate::emit::st) trait Frame: Sync {
     /// Whether local names are marked `#` in statements.
     fn marks_locals(&self) -> bool;
 
+    /// The longest line of numbers, in characters. Nobody reads them, so the fewer lines the better.
+    fn numbers_limit(&self) -> usize;
+
     /// Declares the type of `pending`, an array, if it needs a declaration.
     fn declare_events(&self, out: &mut Writer, names: &Names, array: &Type);
 
@@ -50,6 +53,11 @@ pub(super) struct Standard;
 impl Frame for Standard {
     fn marks_locals(&self) -> bool {
         false
+    }
+
+    fn numbers_limit(&self) -> usize {
+        // Compilers that read a line at a time into a buffer give it a thousand characters.
+        400
     }
 
     fn declare_events(&self, out: &mut Writer, names: &Names, array: &Type) {
@@ -106,6 +114,11 @@ pub(super) struct Scl;
 impl Frame for Scl {
     fn marks_locals(&self) -> bool {
         true
+    }
+
+    fn numbers_limit(&self) -> usize {
+        // That of the sources of STEP 7.
+        200
     }
 
     fn declare_events(&self, _: &mut Writer, _: &Names, _: &Type) {}

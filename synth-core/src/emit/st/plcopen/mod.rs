@@ -154,7 +154,7 @@ fn pou(xml: &mut Xml, block: &Block<'_>, unit: &Unit<'_>, comment: &[&str]) {
                 interface::section(xml, section);
             }
         });
-        let mut body = Writer::new(block.dialect().frame.marks_locals());
+        let mut body = Writer::new(block.dialect().frame);
         (unit.body)(&mut body);
         xml.element("body", &[], |xml| {
             xml.element("ST", &[], |xml| xml.text(&body.finish()));
