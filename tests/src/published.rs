@@ -47,7 +47,7 @@ struct Row {
 
 /// The structure of a line of robots, trimmed to the published figures.
 ///
-/// The line has a little more of everything. The [`WAITING`] states nearest to the initial one are kept; rows that lead
+/// The line has a little more of everything. The 2016 waiting states nearest to the initial one are kept; rows that lead
 /// beyond them go to the state that differs only in the number of items delivered so far (odd or even). Rows that
 /// are too many are dropped at random, as if an assumption excluded the event there; super steps that are too many
 /// become plain transitions.

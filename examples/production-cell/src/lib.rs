@@ -1,7 +1,7 @@
 //! The production cell at work: a controller drives a simulated plant, cycle by cycle as on a PLC, while a monitor
 //! that knows only the informal requirements watches.
 //!
-//! [`run`] takes anything that [`Controls`] the cell. The generated [`Controller`](production_cell::Controller) does, and
+//! [`run`] takes anything that [`Controls`] the cell. The generated [`Controller`] does, and
 //! so does the same controller in another language, if a program runs it.
 
 pub mod monitor;
