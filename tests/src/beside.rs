@@ -32,6 +32,8 @@ pub struct Outputs {
     pub unexpected: bool,
     /// Whether something was raised that was pending.
     pub overrun: bool,
+    /// In table order which events are owed, where that is an output.
+    pub owed: Option<Vec<bool>>,
 }
 
 /// The interface of the function block over the interpreter, as `docs/controller.md` tells it.
@@ -80,7 +82,8 @@ impl<'a> Model<'a> {
         self.previous.clone_from(&inputs.events);
         let state = self.reference.state;
         let pending = (0..tables.events.len()).map(|event| self.reference.pending.contains(&event)).collect();
-        Outputs { commands, state, pending, unexpected: self.unexpected, overrun }
+        let owed = self.options.owed.then(|| self.owed());
+        Outputs { commands, state, pending, unexpected: self.unexpected, overrun, owed }
     }
 
     fn raise(&mut self, event: usize) -> bool {
@@ -110,6 +113,16 @@ impl<'a> Model<'a> {
         }
         self.reference.log.clear();
         commands
+    }
+
+    /// Per event whether the environment owes it.
+    fn owed(&self) -> Vec<bool> {
+        let tables = self.reference.tables();
+        let owed = &tables.owed[self.reference.state as usize];
+        if self.options.unexpected != Unexpected::Drop {
+            assert_eq!(self.machine.owed(), owed);
+        }
+        (0..tables.events.len() as u32).map(|event| owed.contains(&event)).collect()
     }
 
     /// Whether no super step is due.
@@ -157,9 +170,24 @@ impl<'u> Running<'u> {
             _ => unit.configuration(),
         };
         // Two calls at most, and an assignment for every output.
-        let outputs = block.names.components.len() as u64 + 4;
+        let outputs = block.names.components.len() as u64 + 4 + u64::from(options.owed);
         let bound = Cost { statements: block.bound.statements + 2 + outputs, ..block.bound };
         Running { instance: instance.expect("something runs the program"), prefix: "Main0.", bound, ..block }
+    }
+
+    /// What a power cycle makes of it: `fresh`, with what this one retains. What `fresh` has no place for is lost.
+    #[must_use]
+    pub fn after_power_cycle<'v>(&self, mut fresh: Running<'v>) -> Running<'v> {
+        for (path, value) in self.instance.retained() {
+            let _ = fresh.instance.set(&path, value);
+        }
+        fresh
+    }
+
+    /// Whether a power cycle leaves anything.
+    #[must_use]
+    pub fn retains(&self) -> bool {
+        !self.instance.retained().is_empty()
     }
 
     /// Outputs, or what is wrong with the call itself: it fails, wraps integers around, or takes more than its bound.
@@ -192,12 +220,16 @@ impl<'u> Running<'u> {
         }
         let number =
             |name: &str| u32::try_from(block.int(&path(name)).expect("an output")).expect("not negative");
-        let mut pending = block.bools(&path("pending")).expect("an output");
-        pending.truncate(self.names.events.len());
+        let bools = |name: &str| {
+            let mut bools = block.bools(&path(name)).ok()?;
+            bools.truncate(self.names.events.len());
+            Some(bools)
+        };
         Ok(Outputs {
             commands: self.names.components.iter().map(|c| number(&c.output)).collect(),
             state: number("state_no"),
-            pending,
+            pending: bools("pending").expect("an output"),
+            owed: bools("owed"),
             unexpected: block.bool(&path("unexpected")).expect("an output"),
             overrun: block.bool(&path("overrun")).expect("an output"),
         })

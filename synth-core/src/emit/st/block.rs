@@ -4,8 +4,9 @@ use super::dialect::Dialect;
 use super::integer::{Integer, Types};
 use super::layout::Layout;
 use super::names::{EventNames, Names, OutputNames, STATE_NO};
+use super::owed::{OWED, Owed};
 use super::writer::Writer;
-use super::{Options, Trigger, Unexpected, Unfit, fit};
+use super::{Options, Trigger, Unexpected, Unfit, fit, retain};
 use crate::controller::runs::Runs;
 use crate::controller::tables::{Mapping, Tables};
 
@@ -26,7 +27,7 @@ impl<'a> Block<'a> {
         fit::check(tables, options)?;
         let runs = Runs::of(tables);
         let layout = options.target.dialect().layout(options.encoding);
-        let types = Types::of(tables, options.integers, layout.largest_index(tables, &runs))?;
+        let types = Types::of(tables, options, layout.largest_index(tables, &runs))?;
         Ok(Block { tables, options, names: Names::new(tables, options.target), types, runs })
     }
 }
@@ -40,6 +41,9 @@ impl Block<'_> {
         let variables = |out: &mut Writer| {
             self.interface(out, true);
             layout.tables(out, self);
+            if let Some(owed) = self.owed() {
+                owed.tables(out, frame.constants(), self.types.owed);
+            }
             self.variables(out);
         };
         frame.function_block(out, &self.names.function_block, &variables, &|out| self.call(out));
@@ -75,6 +79,11 @@ impl Block<'_> {
         self.options.drain && self.has_super_steps()
     }
 
+    /// What the environment owes, if somebody wants to know and it ever owes something.
+    pub(super) fn owed(&self) -> Option<Owed> {
+        self.options.owed.then(|| Owed::new(&self.tables.owed)).filter(|owed| !owed.is_empty())
+    }
+
     /// Per component its names and the type of its codes.
     pub(super) fn components(&self) -> impl Iterator<Item = (&OutputNames, Integer)> {
         self.names.components.iter().zip(self.types.codes.iter().copied())
@@ -85,7 +94,7 @@ impl Block<'_> {
         self.names.events.len().saturating_sub(1)
     }
 
-    fn events_type(&self) -> String {
+    pub(super) fn events_type(&self) -> String {
         self.dialect().frame.events_type(&self.names, self.last_event())
     }
 
@@ -107,17 +116,28 @@ impl Block<'_> {
             out.line(format_args!("pending : {};", self.events_type()));
             out.line("unexpected : BOOL;");
             out.line("overrun : BOOL;");
+            if self.options.owed {
+                out.line(format_args!("{OWED} : {};", self.events_type()));
+            }
         });
     }
 
     fn variables(&self, out: &mut Writer) {
+        if self.options.retain {
+            out.block("VAR RETAIN", "END_VAR", |out| {
+                retain::variables(out, self);
+                self.memory(out);
+            });
+            if !self.has_variables() {
+                return;
+            }
+        }
         out.block("VAR", "END_VAR", |out| {
-            out.line(format_args!("state : {} := {};", self.types.state.keyword(), self.tables.initial));
+            if !self.options.retain {
+                self.memory(out);
+            }
             if !self.names.events.is_empty() {
                 out.line(format_args!("raised : {};", self.events_type()));
-                if self.options.trigger == Trigger::Edge {
-                    out.line(format_args!("previous : {};", self.events_type()));
-                }
                 out.line(format_args!("index : {};", self.types.index.keyword()));
             }
             self.layout().variables(out, self);
@@ -130,7 +150,23 @@ impl Block<'_> {
             if self.drains() {
                 out.line("done : BOOL;");
             }
+            if self.owed().is_some() {
+                out.line(format_args!("owed_row : {};", self.types.owed.keyword()));
+            }
         });
+    }
+
+    /// Whether there are variables beside those that last from call to call.
+    fn has_variables(&self) -> bool {
+        !self.names.events.is_empty() || self.has_super_steps()
+    }
+
+    /// The variables that last from call to call.
+    fn memory(&self, out: &mut Writer) {
+        out.line(format_args!("state : {} := {};", self.types.state.keyword(), self.tables.initial));
+        if self.options.trigger == Trigger::Edge && !self.names.events.is_empty() {
+            out.line(format_args!("previous : {};", self.events_type()));
+        }
     }
 
     /// The body.
@@ -147,10 +183,13 @@ impl Block<'_> {
             out.code(format_args!("#raised[{index}] := #{};", event.input));
         }
         out.gap();
+        if self.options.retain {
+            retain::restore(out, self);
+        }
         out.code("IF #reset THEN");
         out.indented(|out| self.reset(out));
         // A controller without any event or super step has nothing to do.
-        if !self.names.events.is_empty() || self.has_super_steps() {
+        if self.has_variables() {
             out.code(if faults { "ELSIF #enable AND NOT #unexpected THEN" } else { "ELSIF #enable THEN" });
             out.indented(|out| self.run(out));
         }
@@ -160,6 +199,12 @@ impl Block<'_> {
         }
         let state = self.types.state.converted(self.types.state_no, "#state");
         out.code(format_args!("#{STATE_NO} := {state};"));
+        if let Some(owed) = self.owed() {
+            owed.update(out, self);
+        }
+        if self.options.retain {
+            retain::keep(out, self);
+        }
     }
 
     fn reset(&self, out: &mut Writer) {
@@ -170,7 +215,7 @@ impl Block<'_> {
         self.for_each_event(out, |out| out.code("#pending[#index] := FALSE;"));
     }
 
-    fn for_each_event(&self, out: &mut Writer, inside: impl FnOnce(&mut Writer)) {
+    pub(super) fn for_each_event(&self, out: &mut Writer, inside: impl FnOnce(&mut Writer)) {
         if !self.names.events.is_empty() {
             out.code(format_args!("FOR #index := 0 TO {} DO", self.last_event()));
             out.indented(inside);

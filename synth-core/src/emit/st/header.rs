@@ -4,7 +4,7 @@ use super::block::Block;
 use super::names::{NameMap, STATE_NO};
 use super::writer::Writer;
 use super::{Encoding, Integers, Options, Trigger, Unexpected, bound};
-use crate::controller::tables::{FORMAT_VERSION, Tables};
+use crate::controller::tables::{FORMAT_VERSION, Requirement, Tables};
 
 /// Writes it, an empty line last.
 pub(super) fn write(out: &mut Writer, block: &Block<'_>) {
@@ -24,7 +24,12 @@ fn origin(out: &mut Writer, block: &Block<'_>) {
     out.comment(&format!("Controller {}: generated, changes get lost.", block.tables.specification));
     out.comment(&format!("Generator: sml {version}, table format {FORMAT_VERSION}"));
     out.comment(&format!("Specification: {}, input hash {}", provenance.file, provenance.hash));
-    out.comment(&format!("To generate it again: sml export {}{}", provenance.file, arguments(block.options)));
+    out.comment(&format!(
+        "To generate it again: sml export {}{}{}",
+        provenance.file,
+        arguments(block.options),
+        provenance.options
+    ));
     for note in block.dialect().notes {
         out.comment(note);
     }
@@ -51,6 +56,8 @@ fn arguments(options: &Options) -> String {
         Encoding::Runs => "",
         Encoding::Rows => " --encoding rows",
     };
+    arguments += if options.owed { " --owed" } else { "" };
+    arguments += if options.retain { " --retain" } else { "" };
     arguments
 }
 
@@ -82,6 +89,14 @@ fn behaviour(out: &mut Writer, options: &Options) {
     out.comment(
         "Events raised in a call with enable FALSE or reset TRUE are lost. reset leads to the initial state, enabled or not.",
     );
+    if options.owed {
+        out.comment("owed tells which events the assumptions promise in the state, in the order of pending. No safety function.");
+    }
+    if options.retain {
+        out.comment(
+            "State and pending events survive a power cycle if the tables are the same afterwards (retain).",
+        );
+    }
     if options.integers == Integers::Signed {
         out.comment("No unsigned integer types are used (integers: signed).");
     }
@@ -114,7 +129,8 @@ fn requirements(out: &mut Writer, tables: &Tables) {
     }
     out.comment("Requirements:");
     for requirement in requirements {
-        out.comment(&format!("  {} {}, line {}", requirement.kind, requirement.scenario, requirement.line));
+        let Requirement { kind, scenario, file, line, .. } = requirement;
+        out.comment(&format!("  {kind} {scenario}, {file}:{line}"));
         for line in &requirement.text {
             out.comment(&format!("    {}", line.trim_start()));
         }

@@ -2,6 +2,7 @@
 
 use super::block::Block;
 use super::names::{Names, STATE_NO};
+use super::owed::OWED;
 use super::writer::Writer;
 
 /// Writes both.
@@ -14,7 +15,7 @@ pub(super) fn write(out: &mut Writer, block: &Block<'_>) {
     };
     let statements = |out: &mut Writer| {
         call(out, names);
-        for output in outputs(names) {
+        for output in outputs(block) {
             out.code_in_parts(&[format!("#{output} :="), format!("#controller.{output};")]);
         }
     };
@@ -36,7 +37,8 @@ fn call(out: &mut Writer, names: &Names) {
     });
 }
 
-fn outputs(names: &Names) -> impl Iterator<Item = &str> {
-    let components = names.components.iter().map(|component| component.output.as_str());
-    components.chain([STATE_NO, "pending", "unexpected", "overrun"])
+fn outputs<'a>(block: &'a Block<'_>) -> impl Iterator<Item = &'a str> {
+    let components = block.names.components.iter().map(|component| component.output.as_str());
+    let owed = block.options.owed.then_some(OWED);
+    components.chain([STATE_NO, "pending", "unexpected", "overrun"]).chain(owed)
 }

@@ -8,6 +8,9 @@ pub(in crate::emit::st) trait Frame: Sync {
     /// Whether local names are marked `#` in statements.
     fn marks_locals(&self) -> bool;
 
+    /// The section of variables that holds arrays that never change.
+    fn constants(&self) -> &'static str;
+
     /// Declares the type of `pending`, an array up to `last`, if it needs a declaration.
     fn declare_events(&self, out: &mut Writer, names: &Names, last: usize);
 
@@ -16,6 +19,12 @@ pub(in crate::emit::st) trait Frame: Sync {
 
     /// A function block or program used as a type.
     fn block_type(&self, name: &str) -> String;
+
+    /// The function block that waits.
+    fn timer(&self) -> &'static str;
+
+    /// How the names of files end.
+    fn extension(&self) -> &'static str;
 
     /// A function block: its variables, then its statements.
     fn function_block(
@@ -47,6 +56,10 @@ impl Frame for Standard {
         false
     }
 
+    fn constants(&self) -> &'static str {
+        "VAR CONSTANT"
+    }
+
     fn declare_events(&self, out: &mut Writer, names: &Names, last: usize) {
         // Strict compilers assign only arrays whose type has a name.
         out.block("TYPE", "END_TYPE", |out| {
@@ -61,6 +74,14 @@ impl Frame for Standard {
 
     fn block_type(&self, name: &str) -> String {
         name.to_owned()
+    }
+
+    fn timer(&self) -> &'static str {
+        "TON"
+    }
+
+    fn extension(&self) -> &'static str {
+        "st"
     }
 
     fn function_block(
@@ -119,6 +140,11 @@ impl Frame for Scl {
         true
     }
 
+    // There are no constant arrays.
+    fn constants(&self) -> &'static str {
+        "VAR"
+    }
+
     fn declare_events(&self, _: &mut Writer, _: &Names, _: usize) {}
 
     fn events_type(&self, _: &Names, last: usize) -> String {
@@ -127,6 +153,15 @@ impl Frame for Scl {
 
     fn block_type(&self, name: &str) -> String {
         quoted(name)
+    }
+
+    fn timer(&self) -> &'static str {
+        "TON_TIME"
+    }
+
+    // External source files of TIA Portal end so.
+    fn extension(&self) -> &'static str {
+        "scl"
     }
 
     fn function_block(
