@@ -2,6 +2,10 @@
 //!
 //! `SML_CYCLES` asks for more than 1000 calls of each text.
 
+mod st_runs {
+    mod plcopen;
+}
+
 use sml_tests::beside::{Model, Running, compiled, difference, first_difference};
 use sml_tests::corpus;
 use sml_tests::tables::{self, Size};

@@ -16,6 +16,7 @@ use synth_core::controller::json::to_json;
 use synth_core::controller::tables::{Provenance, Tables};
 use synth_core::controller::{Controller, Level};
 use synth_core::diagnostic::{Code, Diagnostic};
+use synth_core::emit::st::plcopen;
 use synth_core::emit::template::Template;
 use synth_core::emit::{dot, mermaid, rust, st};
 use synth_core::pipeline::provenance;
@@ -49,6 +50,8 @@ pub(crate) struct Arguments {
 /// Options of Structured Text.
 #[derive(Debug, clap::Args)]
 struct StructuredText {
+    #[command(flatten)]
+    xml: Xml,
     /// Structured Text: an input raises its event when it becomes TRUE, or in every call in which it is
     #[arg(long, value_enum)]
     trigger: Option<Trigger>,
@@ -72,6 +75,39 @@ struct StructuredText {
     retain: bool,
 }
 
+/// Options of PLCopen XML.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub(crate) struct Xml {
+    /// PLCopen XML: whose Structured Text it holds; `iec` otherwise
+    #[arg(long, value_enum)]
+    dialect: Option<Dialect>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+enum Dialect {
+    Iec,
+    Codesys,
+}
+
+impl Xml {
+    /// Refuses a dialect for a target that has none to choose.
+    pub(crate) fn fits(self, target: Target) -> Result<(), Failure> {
+        match self.dialect {
+            Some(_) if target != Target::Plcopen => {
+                Err(Failure::usage(format!("`--dialect` means nothing to target `{target}`")))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn dialect(self) -> plcopen::Dialect {
+        match self.dialect {
+            Some(Dialect::Codesys) => plcopen::Dialect::Codesys,
+            Some(Dialect::Iec) | None => plcopen::Dialect::Iec,
+        }
+    }
+}
+
 /// What can be written; most are to come.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub(crate) enum Target {
@@ -93,13 +129,14 @@ pub(crate) enum Target {
 
 impl Target {
     /// Whose Structured Text it is.
-    pub(crate) fn structured_text(self) -> Option<st::Target> {
+    pub(crate) fn structured_text(self, xml: Xml) -> Option<st::Target> {
         match self {
             Target::Iec => Some(st::Target::Iec),
             Target::Codesys => Some(st::Target::Codesys),
             Target::Twincat => Some(st::Target::Twincat),
             Target::Siemens => Some(st::Target::Siemens),
             Target::Case => Some(st::Target::Case),
+            Target::Plcopen => Some(xml.dialect().target()),
             _ => None,
         }
     }
@@ -142,8 +179,11 @@ enum Encoding {
 type Writer = fn(&Tables, &Controller, &st::Options) -> Result<String, String>;
 
 pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
-    let write = writer(arguments.target)?;
-    if arguments.target.structured_text().is_none() && arguments.text.is_given() {
+    let xml = arguments.text.xml;
+    xml.fits(arguments.target)?;
+    let structured_text = arguments.target.structured_text(xml);
+    let write = writer(arguments.target, xml)?;
+    if structured_text.is_none() && arguments.text.is_given() {
         return Err(Failure::usage(format!(
             "options of Structured Text mean nothing to target `{}`",
             arguments.target
@@ -152,7 +192,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     if arguments.target == Target::Case && arguments.text.encoding.is_some() {
         return Err(Failure::usage("target `case` has no tables that `--encoding` could mean".to_owned()));
     }
-    if arguments.templates.is_some() && !templates::exist_for(arguments.target) {
+    if arguments.templates.is_some() && structured_text.is_none() && arguments.target != Target::Rust {
         return Err(Failure::usage(format!("there are no templates for target `{}`", arguments.target)));
     }
     if arguments.check && arguments.output.is_none() && arguments.templates.is_none() {
@@ -169,7 +209,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     warnings::show(warnings, &policy, &loaded, session)?;
     let provenance = Provenance { options: arguments.general_options(session), ..provenance(&loaded, &spec) };
     let tables = Tables::new(&spec.name, &controller, provenance);
-    let options = arguments.text.options(arguments.target);
+    let options = arguments.text.options(structured_text.unwrap_or_default());
     let unfit = |why| Failure::new(Exit::Wrong, nowhere(Code::Unfit, why));
     let text = session.stage("emit", || write(&tables, &controller, &options)).map_err(unfit)?;
     let secondaries = match &arguments.templates {
@@ -187,7 +227,10 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     }
     if let Some(path) = arguments.output.as_deref().filter(|path| path.as_os_str() != "-") {
         match session.format() {
-            Format::Json => output::print(&figures::json(arguments.target, &text, &tables, &options))?,
+            Format::Json => {
+                let options = structured_text.map(|_| &options);
+                output::print(&figures::json(arguments.target, &text, &tables, options))?;
+            }
             Format::Text if arguments.check => {}
             Format::Text => output::note(&figures::line(&path.display().to_string(), &text, &tables)),
         }
@@ -195,10 +238,16 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     Ok(Exit::Done)
 }
 
-fn writer(target: Target) -> Result<Writer, Failure> {
+fn writer(target: Target, xml: Xml) -> Result<Writer, Failure> {
     Ok(match target {
         Target::Rust => |tables, _, _| Ok(rust::text(tables, &rust::Options::default())),
-        target if target.structured_text().is_some() => {
+        Target::Plcopen => match xml.dialect() {
+            plcopen::Dialect::Iec => |tables, _, options| document(tables, plcopen::Dialect::Iec, options),
+            plcopen::Dialect::Codesys => {
+                |tables, _, options| document(tables, plcopen::Dialect::Codesys, options)
+            }
+        },
+        target if target.structured_text(xml).is_some() => {
             |tables, _, options| st::text(tables, options).map_err(|unfit| unfit.to_string())
         }
         Target::Dot => |tables, _, _| Ok(dot::text(tables)),
@@ -206,6 +255,10 @@ fn writer(target: Target) -> Result<Writer, Failure> {
         Target::Json => |_, controller, _| Ok(to_json(controller)),
         other => return Err(Failure::unsupported(&format!("--target {other}"))),
     })
+}
+
+fn document(tables: &Tables, dialect: plcopen::Dialect, options: &st::Options) -> Result<String, String> {
+    plcopen::document(tables, dialect, options).map_err(|unfit| unfit.to_string())
 }
 
 /// `--check`: whether everything is there and up to date.
@@ -264,9 +317,9 @@ impl StructuredText {
             || self.retain
     }
 
-    fn options(&self, target: Target) -> st::Options {
+    fn options(&self, target: st::Target) -> st::Options {
         st::Options {
-            target: target.structured_text().unwrap_or_default(),
+            target,
             trigger: match self.trigger {
                 Some(Trigger::Level) => st::Trigger::Level,
                 Some(Trigger::Edge) | None => st::Trigger::Edge,

@@ -19,6 +19,8 @@ pub(crate) struct Arguments {
     /// Whose names
     #[arg(long, value_name = "T")]
     target: super::export::Target,
+    #[command(flatten)]
+    xml: super::export::Xml,
 }
 
 #[derive(Serialize)]
@@ -50,7 +52,8 @@ struct Component<'a> {
 
 pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
     use super::export::Target;
-    let structured_text = arguments.target.structured_text();
+    arguments.xml.fits(arguments.target)?;
+    let structured_text = arguments.target.structured_text(arguments.xml);
     match arguments.target {
         Target::Rust => {}
         Target::Json | Target::Dot | Target::Mermaid => {
@@ -69,14 +72,14 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
         Some(target) => st::names(&tables, &st::Options { target, ..st::Options::default() }),
         None => rust::name_map(&tables),
     };
-    output::print(&json(&names))?;
+    output::print(&json(&arguments.target.to_string(), &names))?;
     Ok(Exit::Done)
 }
 
-fn json(names: &st::NameMap) -> String {
+fn json(target: &str, names: &st::NameMap) -> String {
     let document = Document {
         version: 1,
-        target: names.target,
+        target,
         function_block: &names.function_block,
         program: &names.program,
         state: &names.state,

@@ -80,6 +80,7 @@ fn languages_have_templates() {
         ("twincat", "Memory_lamp.st"),
         ("siemens", "Memory_lamp.scl"),
         ("case", "Memory_lamp.st"),
+        ("plcopen", "Memory_lamp.st"),
         ("rust", "lamp.rs"),
     ] {
         let dir = folder.join(target);

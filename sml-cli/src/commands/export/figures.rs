@@ -41,9 +41,9 @@ pub(super) fn line(path: &str, text: &str, tables: &Tables) -> String {
     format!("{path}: {}, {}{each}", counted(text.lines().count(), "line"), counted(text.len(), "byte"))
 }
 
-/// As JSON; `text` was written with `options` if it is Structured Text.
-pub(super) fn json(target: Target, text: &str, tables: &Tables, options: &st::Options) -> String {
-    let bound = |drain| {
+/// As JSON; `text` was written with `options` if it holds Structured Text.
+pub(super) fn json(target: Target, text: &str, tables: &Tables, options: Option<&st::Options>) -> String {
+    let bound = |options: &st::Options, drain| {
         let cost = st::bound(tables, &st::Options { drain, ..*options }).ok()?;
         Some(Bound { statements: cost.statements, iterations: cost.iterations, probes: cost.probes })
     };
@@ -54,7 +54,7 @@ pub(super) fn json(target: Target, text: &str, tables: &Tables, options: &st::Op
         bytes: text.len(),
         transitions: transitions(tables),
         bytes_per_transition: per_transition(text, tables),
-        bounds: target.structured_text().map(|_| Bounds { cycle: bound(false), drain: bound(true) }),
+        bounds: options.map(|options| Bounds { cycle: bound(options, false), drain: bound(options, true) }),
     };
     format!("{}\n", serde_json::to_string(&document).expect("strings and numbers always serialize"))
 }

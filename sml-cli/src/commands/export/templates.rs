@@ -12,11 +12,6 @@ use synth_core::emit::template::{Stale, Template};
 use synth_core::emit::{rust, st};
 use synth_core::syntax::Sources;
 
-/// Whether a target has templates.
-pub(super) fn exist_for(target: Target) -> bool {
-    target == Target::Rust || target.structured_text().is_some()
-}
-
 /// The templates for a target that has them, or why it cannot hold the controller.
 pub(super) fn of(target: Target, tables: &Tables, options: &st::Options) -> Result<Vec<Template>, String> {
     if target == Target::Rust {

@@ -5,6 +5,7 @@ use super::integer::{Integer, Types};
 use super::layout::Layout;
 use super::names::{EventNames, Names, OutputNames, STATE_NO};
 use super::owed::{OWED, Owed};
+use super::unit::{Declarations, Kind, Section, Type, Unit};
 use super::writer::Writer;
 use super::{Options, Trigger, Unexpected, Unfit, fit, retain};
 use crate::controller::runs::Runs;
@@ -33,20 +34,26 @@ impl<'a> Block<'a> {
 }
 
 impl Block<'_> {
-    /// Writes the type of `pending` and the function block, an empty line last.
-    pub(super) fn write(&self, out: &mut Writer) {
-        let (frame, layout) = (self.dialect().frame, self.layout());
-        frame.declare_events(out, &self.names, self.last_event());
-        layout.functions(out, self);
-        let variables = |out: &mut Writer| {
-            self.interface(out, true);
-            layout.tables(out, self);
-            if let Some(owed) = self.owed() {
-                owed.tables(out, frame.constants(), self.types.owed);
-            }
-            self.variables(out);
-        };
-        frame.function_block(out, &self.names.function_block, &variables, &|out| self.call(out));
+    /// The functions of the layout, and the function block.
+    pub(super) fn units(&self) -> Vec<Unit<'_>> {
+        let layout = self.layout();
+        let mut declarations = Declarations::default();
+        self.interface(&mut declarations, true);
+        layout.tables(&mut declarations, self);
+        if let Some(owed) = self.owed() {
+            let constants = self.dialect().frame.constants();
+            declarations.section(constants, |out| owed.tables(out, self.types.owed));
+        }
+        self.variables(&mut declarations);
+        let mut units = layout.functions(self);
+        units.push(Unit {
+            comment: None,
+            kind: Kind::FunctionBlock,
+            name: &self.names.function_block,
+            declarations,
+            body: Box::new(|out| self.call(out)),
+        });
+        units
     }
 
     pub(super) fn dialect(&self) -> &'static Dialect {
@@ -94,37 +101,45 @@ impl Block<'_> {
         self.names.events.len().saturating_sub(1)
     }
 
-    pub(super) fn events_type(&self) -> String {
-        self.dialect().frame.events_type(&self.names, self.last_event())
+    /// What the type of `pending` stands for.
+    pub(super) fn events_array(&self) -> Type {
+        Type::array(self.last_event(), "BOOL")
+    }
+
+    pub(super) fn events_type(&self) -> Type {
+        self.dialect().frame.events_type(&self.names, self.events_array())
     }
 
     /// `VAR_INPUT` and `VAR_OUTPUT` of the function block and, without initial values, of the program.
-    pub(super) fn interface(&self, out: &mut Writer, initial: bool) {
-        out.block("VAR_INPUT", "END_VAR", |out| {
-            out.line("enable : BOOL := TRUE;");
-            out.line("reset : BOOL;");
+    pub(super) fn interface(&self, out: &mut Declarations, initial: bool) {
+        out.section("VAR_INPUT", |out| {
+            out.initialized("enable", "BOOL", "TRUE");
+            out.variable("reset", "BOOL");
             for event in &self.names.events {
-                out.line(format_args!("{} : BOOL;", event.input));
+                out.variable(&event.input, "BOOL");
             }
         });
-        out.block("VAR_OUTPUT", "END_VAR", |out| {
+        out.section("VAR_OUTPUT", |out| {
             for component in &self.names.components {
-                out.line(format_args!("{} : INT;", component.output));
+                out.variable(&component.output, "INT");
             }
-            let value = if initial { format!(" := {}", self.tables.initial) } else { String::new() };
-            out.line(format_args!("{STATE_NO} : {}{value};", self.types.state_no.keyword()));
-            out.line(format_args!("pending : {};", self.events_type()));
-            out.line("unexpected : BOOL;");
-            out.line("overrun : BOOL;");
+            if initial {
+                out.initialized(STATE_NO, self.types.state_no, self.tables.initial);
+            } else {
+                out.variable(STATE_NO, self.types.state_no);
+            }
+            out.variable("pending", self.events_type());
+            out.variable("unexpected", "BOOL");
+            out.variable("overrun", "BOOL");
             if self.options.owed {
-                out.line(format_args!("{OWED} : {};", self.events_type()));
+                out.variable(OWED, self.events_type());
             }
         });
     }
 
-    fn variables(&self, out: &mut Writer) {
+    fn variables(&self, out: &mut Declarations) {
         if self.options.retain {
-            out.block("VAR RETAIN", "END_VAR", |out| {
+            out.section("VAR RETAIN", |out| {
                 retain::variables(out, self);
                 self.memory(out);
             });
@@ -132,26 +147,26 @@ impl Block<'_> {
                 return;
             }
         }
-        out.block("VAR", "END_VAR", |out| {
+        out.section("VAR", |out| {
             if !self.options.retain {
                 self.memory(out);
             }
             if !self.names.events.is_empty() {
-                out.line(format_args!("raised : {};", self.events_type()));
-                out.line(format_args!("index : {};", self.types.index.keyword()));
+                out.variable("raised", self.events_type());
+                out.variable("index", self.types.index);
             }
             self.layout().variables(out, self);
             if self.has_rows() {
-                out.line("changed : BOOL;");
+                out.variable("changed", "BOOL");
             }
             if self.has_super_steps() {
-                out.line("due : BOOL;");
+                out.variable("due", "BOOL");
             }
             if self.drains() {
-                out.line("done : BOOL;");
+                out.variable("done", "BOOL");
             }
             if self.owed().is_some() {
-                out.line(format_args!("owed_row : {};", self.types.owed.keyword()));
+                out.variable("owed_row", self.types.owed);
             }
         });
     }
@@ -162,10 +177,10 @@ impl Block<'_> {
     }
 
     /// The variables that last from call to call.
-    fn memory(&self, out: &mut Writer) {
-        out.line(format_args!("state : {} := {};", self.types.state.keyword(), self.tables.initial));
+    fn memory(&self, out: &mut Section) {
+        out.initialized("state", self.types.state, self.tables.initial);
         if self.options.trigger == Trigger::Edge && !self.names.events.is_empty() {
-            out.line(format_args!("previous : {};", self.events_type()));
+            out.variable("previous", self.events_type());
         }
     }
 

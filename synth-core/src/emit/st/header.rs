@@ -6,9 +6,41 @@ use super::writer::Writer;
 use super::{Encoding, Integers, Options, Trigger, Unexpected, bound};
 use crate::controller::tables::{FORMAT_VERSION, Requirement, Tables};
 
-/// Writes it, an empty line last.
-pub(super) fn write(out: &mut Writer, block: &Block<'_>) {
-    origin(out, block);
+/// What stands at the top, a line each; empty ones part paragraphs.
+#[derive(Default)]
+pub(super) struct Header {
+    pub(super) lines: Vec<String>,
+}
+
+impl Header {
+    fn comment(&mut self, text: &str) {
+        self.lines.push(text.to_owned());
+    }
+
+    fn gap(&mut self) {
+        self.lines.push(String::new());
+    }
+
+    /// Writes comments, an empty line last.
+    pub(super) fn write(&self, out: &mut Writer) {
+        for line in &self.lines {
+            match line.as_str() {
+                "" => out.gap(),
+                line => out.comment(line),
+            }
+        }
+    }
+}
+
+/// The header of a text for `target`, as on the command line; `notes` tell how to load it.
+pub(super) fn header(block: &Block<'_>, target: &str, notes: &[&str]) -> Header {
+    let mut out = Header::default();
+    write(&mut out, block, target, notes);
+    out
+}
+
+fn write(out: &mut Header, block: &Block<'_>, target: &str, notes: &[&str]) {
+    origin(out, block, target, notes);
     out.gap();
     behaviour(out, block.options);
     cost(out, block);
@@ -18,7 +50,7 @@ pub(super) fn write(out: &mut Writer, block: &Block<'_>) {
     requirements(out, block.tables);
 }
 
-fn origin(out: &mut Writer, block: &Block<'_>) {
+fn origin(out: &mut Header, block: &Block<'_>, target: &str, notes: &[&str]) {
     let provenance = &block.tables.provenance;
     let version = env!("CARGO_PKG_VERSION");
     out.comment(&format!("Controller {}: generated, changes get lost.", block.tables.specification));
@@ -27,17 +59,17 @@ fn origin(out: &mut Writer, block: &Block<'_>) {
     out.comment(&format!(
         "To generate it again: sml export {}{}{}",
         provenance.file,
-        arguments(block.options),
+        arguments(target, block.options),
         provenance.options
     ));
-    for note in block.dialect().notes {
+    for note in notes {
         out.comment(note);
     }
 }
 
 /// What the command line said, without what it need not say.
-fn arguments(options: &Options) -> String {
-    let mut arguments = format!(" --target {}", options.target.name());
+fn arguments(target: &str, options: &Options) -> String {
+    let mut arguments = format!(" --target {target}");
     arguments += match options.trigger {
         Trigger::Edge => "",
         Trigger::Level => " --trigger level",
@@ -61,7 +93,7 @@ fn arguments(options: &Options) -> String {
     arguments
 }
 
-fn cost(out: &mut Writer, block: &Block<'_>) {
+fn cost(out: &mut Header, block: &Block<'_>) {
     let bound = bound::call(block);
     out.comment(&format!(
         "A call takes at most {} statements, {} loop iterations and {} probes (computed from the tables).",
@@ -69,7 +101,7 @@ fn cost(out: &mut Writer, block: &Block<'_>) {
     ));
 }
 
-fn behaviour(out: &mut Writer, options: &Options) {
+fn behaviour(out: &mut Header, options: &Options) {
     out.comment(match options.trigger {
         Trigger::Edge => "An input raises its event in the call in which it becomes TRUE (trigger: edge).",
         Trigger::Level => "An input raises its event in every call in which it is TRUE (trigger: level).",
@@ -102,7 +134,7 @@ fn behaviour(out: &mut Writer, options: &Options) {
     }
 }
 
-fn name_map(out: &mut Writer, names: &NameMap) {
+fn name_map(out: &mut Header, names: &NameMap) {
     out.comment(&format!(
         "Function block {}, program {}, state in {STATE_NO}",
         names.function_block, names.program
@@ -122,7 +154,7 @@ fn name_map(out: &mut Writer, names: &NameMap) {
     }
 }
 
-fn requirements(out: &mut Writer, tables: &Tables) {
+fn requirements(out: &mut Header, tables: &Tables) {
     let requirements = &tables.provenance.requirements;
     if requirements.is_empty() {
         return;

@@ -32,15 +32,19 @@ mod integer;
 mod layout;
 mod names;
 mod owed;
+#[cfg(feature = "plcopen")]
+pub mod plcopen;
 mod program;
 mod retain;
 mod secondary;
+mod unit;
 mod writer;
 
 use super::template::Template;
 use crate::controller::tables::Tables;
 use block::Block;
 pub use bound::Cost;
+use dialect::Dialect;
 pub use fit::Unfit;
 pub use names::{ComponentNames, NameMap};
 use writer::Writer;
@@ -146,10 +150,14 @@ pub struct Options {
 /// What the target cannot hold ([`Unfit`]), before anything is written.
 pub fn text(tables: &Tables, options: &Options) -> Result<String, Unfit> {
     let block = Block::new(tables, options)?;
-    let mut out = Writer::new(block.dialect().frame.marks_locals());
-    header::write(&mut out, &block);
-    block.write(&mut out);
-    program::write(&mut out, &block);
+    let Dialect { frame, notes, .. } = block.dialect();
+    let mut out = Writer::new(frame.marks_locals());
+    header::header(&block, options.target.name(), notes).write(&mut out);
+    frame.declare_events(&mut out, &block.names, &block.events_array());
+    for unit in block.units().iter().chain([&program::unit(&block)]) {
+        frame.unit(&mut out, unit);
+    }
+    frame.configuration(&mut out, &block.names);
     Ok(out.finish())
 }
 

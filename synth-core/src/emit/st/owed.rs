@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use super::block::Block;
 use super::bound::Cost;
 use super::integer::Integer;
+use super::unit::Section;
 use super::writer::Writer;
 
 /// The output.
@@ -61,15 +62,13 @@ impl Owed {
     }
 
     /// Declares the arrays.
-    pub(super) fn tables(&self, out: &mut Writer, section: &str, integer: Integer) {
-        out.block(section, "END_VAR", |out| {
-            out.comment(
-                "what the environment owes: per state the number of a set, where each set begins, the sets",
-            );
-            out.array("owed_set", integer.keyword(), &self.set);
-            out.array("owed_first", integer.keyword(), &self.first);
-            out.array("owed_event", integer.keyword(), &self.event);
-        });
+    pub(super) fn tables(&self, out: &mut Section, integer: Integer) {
+        out.comment(
+            "what the environment owes: per state the number of a set, where each set begins, the sets",
+        );
+        out.array("owed_set", integer, &self.set);
+        out.array("owed_first", integer, &self.first);
+        out.array("owed_event", integer, &self.event);
     }
 
     /// Sets the output.

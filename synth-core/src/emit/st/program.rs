@@ -3,24 +3,33 @@
 use super::block::Block;
 use super::names::{Names, STATE_NO};
 use super::owed::OWED;
+use super::unit::{Declarations, Kind, Unit};
 use super::writer::Writer;
 
-/// Writes both.
-pub(super) fn write(out: &mut Writer, block: &Block<'_>) {
-    let (names, frame) = (&block.names, block.dialect().frame);
-    let variables = |out: &mut Writer| {
-        block.interface(out, false);
-        let controller = frame.block_type(&names.function_block);
-        out.block("VAR", "END_VAR", |out| out.line(format_args!("controller : {controller};")));
-    };
-    let statements = |out: &mut Writer| {
+/// What runs the program, except in SCL, which has its own. All names are [`Names`]' own.
+pub(super) mod configuration {
+    pub(in crate::emit::st) const NAME: &str = "Config0";
+    pub(in crate::emit::st) const RESOURCE: &str = "Res0";
+    pub(in crate::emit::st) const TASK: &str = "Cyclic";
+    pub(in crate::emit::st) const INSTANCE: &str = "Main0";
+    pub(in crate::emit::st) const INTERVAL_MS: u32 = 10;
+    pub(in crate::emit::st) const PRIORITY: u32 = 1;
+}
+
+/// The program.
+pub(super) fn unit<'a>(block: &'a Block<'_>) -> Unit<'a> {
+    let names = &block.names;
+    let mut declarations = Declarations::default();
+    block.interface(&mut declarations, false);
+    let controller = block.dialect().frame.block_type(&names.function_block);
+    declarations.section("VAR", |out| out.variable("controller", controller));
+    let body = |out: &mut Writer| {
         call(out, names);
         for output in outputs(block) {
             out.code_in_parts(&[format!("#{output} :="), format!("#controller.{output};")]);
         }
     };
-    frame.program(out, &names.program, &variables, &statements);
-    frame.configuration(out, names);
+    Unit { comment: None, kind: Kind::Program, name: &names.program, declarations, body: Box::new(body) }
 }
 
 fn call(out: &mut Writer, names: &Names) {

@@ -5,6 +5,7 @@
 
 use super::block::Block;
 use super::bound::Cost;
+use super::unit::Section;
 use super::writer::Writer;
 use super::{Trigger, Unexpected};
 use crate::controller::tables::{FORMAT_VERSION, Tables};
@@ -38,13 +39,13 @@ fn faults(block: &Block<'_>) -> bool {
 }
 
 /// The copies, among the retained variables.
-pub(super) fn variables(out: &mut Writer, block: &Block<'_>) {
-    out.line(format_args!("table_version : {};", block.types.state_no.keyword()));
+pub(super) fn variables(out: &mut Section, block: &Block<'_>) {
+    out.variable("table_version", block.types.state_no);
     if !block.names.events.is_empty() {
-        out.line(format_args!("kept : {};", block.events_type()));
+        out.variable("kept", block.events_type());
     }
     if faults(block) {
-        out.line("stopped : BOOL;");
+        out.variable("stopped", "BOOL");
     }
 }
 

@@ -5,6 +5,7 @@
 
 use super::block::Block;
 use super::names::{Scope, SecondaryNames};
+use super::unit::{Declarations, Kind, Type, Unit};
 use super::writer::Writer;
 use crate::controller::tables::ComponentTable;
 use crate::emit::template::{Interface, Template, answers};
@@ -94,8 +95,14 @@ impl<'a> Secondary<'a> {
         let interface = self.interface();
         let mut out = Writer::new(frame.marks_locals());
         self.head(&mut out, &interface);
-        let name = &self.names.function_block;
-        frame.function_block(&mut out, name, &|out| self.variables(out), &|out| self.statements(out));
+        let unit = Unit {
+            comment: None,
+            kind: Kind::FunctionBlock,
+            name: &self.names.function_block,
+            declarations: self.declarations(),
+            body: Box::new(|out| self.statements(out)),
+        };
+        frame.unit(&mut out, &unit);
         self.wiring(&mut out);
         let (object, file) = (self.table.object.clone(), self.names.file.clone());
         Template { object, file, text: out.finish(), interface }
@@ -136,42 +143,44 @@ impl<'a> Secondary<'a> {
         out.gap();
     }
 
-    fn variables(&self, out: &mut Writer) {
+    fn declarations(&self) -> Declarations {
         let OwnNames { command, reset, timeout, doing, done } = &self.own;
-        out.block("VAR_INPUT", "END_VAR", |out| {
+        let mut declarations = Declarations::default();
+        declarations.section("VAR_INPUT", |out| {
             out.comment(&format!("{} of the primary", self.command));
-            out.line(format_args!("{command} : INT;"));
+            out.variable(command, "INT");
             out.comment("forgets what is being done");
-            out.line(format_args!("{reset} : BOOL;"));
+            out.variable(reset, "BOOL");
             if !self.events.is_empty() {
                 out.comment("an event that is owed for longer has stalled");
-                out.line(format_args!("{timeout} : TIME := T#10s;"));
+                out.initialized(timeout, "TIME", "T#10s");
             }
             for event in &self.events {
                 out.comment(&format!("whether the primary waits for {}", event.text));
-                out.line(format_args!("{} : BOOL;", event.owed));
+                out.variable(&event.owed, "BOOL");
             }
             out.comment("to be filled in: sensors");
         });
         if !self.events.is_empty() {
-            out.block("VAR_OUTPUT", "END_VAR", |out| {
+            declarations.section("VAR_OUTPUT", |out| {
                 for event in &self.events {
                     out.comment(event.text);
-                    out.line(format_args!("{} : BOOL;", event.name));
-                    out.line(format_args!("{} : BOOL;", event.stalled));
+                    out.variable(event.name, "BOOL");
+                    out.variable(&event.stalled, "BOOL");
                 }
                 out.comment("to be filled in: actuators");
             });
         }
-        out.block("VAR", "END_VAR", |out| {
+        declarations.section("VAR", |out| {
             out.comment("the command that is being done; 0 is none");
-            out.line(format_args!("{doing} : INT;"));
-            out.line(format_args!("{done} : BOOL;"));
+            out.variable(doing, "INT");
+            out.variable(done, "BOOL");
             let timer = self.block.dialect().frame.timer();
             for event in &self.events {
-                out.line(format_args!("{} : {timer};", event.timer));
+                out.variable(&event.timer, Type::Derived(timer.to_owned()));
             }
         });
+        declarations
     }
 
     fn statements(&self, out: &mut Writer) {

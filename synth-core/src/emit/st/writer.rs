@@ -125,10 +125,10 @@ impl Writer {
         }
     }
 
-    /// `name : type;` with an initial value: `name : ARRAY [0..n] OF type := [ … ];`, several numbers a line.
-    pub(super) fn array(&mut self, name: &str, element: &str, values: &[u32]) {
+    /// `opening [ … ];`, several numbers a line.
+    pub(super) fn array(&mut self, opening: impl Display, values: &[u32]) {
         let last = values.len().saturating_sub(1);
-        self.block(format_args!("{name} : ARRAY [0..{last}] OF {element} := ["), "];", |out| {
+        self.block(format_args!("{opening} ["), "];", |out| {
             let width = NUMBERS_LIMIT - out.depth * INDENT.len();
             let mut line = String::new();
             for (index, value) in values.iter().enumerate() {
@@ -146,7 +146,7 @@ impl Writer {
 }
 
 /// A text that neither ends the comment it stands in nor opens another.
-fn harmless(text: &str) -> String {
+pub(super) fn harmless(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut before = ' ';
     for c in text.chars() {
@@ -216,7 +216,7 @@ mod tests {
     fn arrays_keep_the_line_limit() {
         let mut writer = Writer::new(false);
         let values: Vec<u32> = (10_000..10_060).collect();
-        writer.array("x", "UINT", &values);
+        writer.array("x : ARRAY [0..59] OF UINT :=", &values);
         let text = writer.finish();
         assert!(text.lines().all(|line| line.len() <= NUMBERS_LIMIT));
         assert_eq!(text.lines().count(), 4);

@@ -1,9 +1,11 @@
-//! What stands around declarations and statements: types, heads of blocks, and what runs the program.
+//! What stands around declarations and statements: types, heads of units, and what runs the program.
 
 use crate::emit::st::names::Names;
+use crate::emit::st::program::configuration;
+use crate::emit::st::unit::{Item, Kind, Section, Type, Unit, Value};
 use crate::emit::st::writer::Writer;
 
-/// The blocks of a language.
+/// The units of a language.
 pub(in crate::emit::st) trait Frame: Sync {
     /// Whether local names are marked `#` in statements.
     fn marks_locals(&self) -> bool;
@@ -11,14 +13,14 @@ pub(in crate::emit::st) trait Frame: Sync {
     /// The section of variables that holds arrays that never change.
     fn constants(&self) -> &'static str;
 
-    /// Declares the type of `pending`, an array up to `last`, if it needs a declaration.
-    fn declare_events(&self, out: &mut Writer, names: &Names, last: usize);
+    /// Declares the type of `pending`, an array, if it needs a declaration.
+    fn declare_events(&self, out: &mut Writer, names: &Names, array: &Type);
 
-    /// The type of `pending`.
-    fn events_type(&self, names: &Names, last: usize) -> String;
+    /// The type of `pending`, an array.
+    fn events_type(&self, names: &Names, array: Type) -> Type;
 
     /// A function block or program used as a type.
-    fn block_type(&self, name: &str) -> String;
+    fn block_type(&self, name: &str) -> Type;
 
     /// The function block that waits.
     fn timer(&self) -> &'static str;
@@ -26,29 +28,32 @@ pub(in crate::emit::st) trait Frame: Sync {
     /// How the names of files end.
     fn extension(&self) -> &'static str;
 
-    /// A function block: its variables, then its statements.
-    fn function_block(
-        &self,
-        out: &mut Writer,
-        name: &str,
-        variables: &dyn Fn(&mut Writer),
-        statements: &dyn Fn(&mut Writer),
-    );
-
-    /// A program: its variables, then its statements.
-    fn program(
-        &self,
-        out: &mut Writer,
-        name: &str,
-        variables: &dyn Fn(&mut Writer),
-        statements: &dyn Fn(&mut Writer),
-    );
+    /// A unit, an empty line last.
+    fn unit(&self, out: &mut Writer, unit: &Unit<'_>);
 
     /// Runs the program every 10 ms.
     fn configuration(&self, out: &mut Writer, names: &Names);
 }
 
-/// The blocks of the standard.
+/// A section of variables.
+fn section(out: &mut Writer, section: &Section) {
+    out.block(section.keyword, "END_VAR", |out| {
+        for item in &section.items {
+            match item {
+                Item::Comment(text) => out.comment(text),
+                Item::Variable { name, of, initial: None } => out.line(format_args!("{name} : {of};")),
+                Item::Variable { name, of, initial: Some(Value::Simple(value)) } => {
+                    out.line(format_args!("{name} : {of} := {value};"));
+                }
+                Item::Variable { name, of, initial: Some(Value::Array(values)) } => {
+                    out.array(format_args!("{name} : {of} :="), values);
+                }
+            }
+        }
+    });
+}
+
+/// The units of the standard.
 pub(super) struct Standard;
 
 impl Frame for Standard {
@@ -60,20 +65,20 @@ impl Frame for Standard {
         "VAR CONSTANT"
     }
 
-    fn declare_events(&self, out: &mut Writer, names: &Names, last: usize) {
+    fn declare_events(&self, out: &mut Writer, names: &Names, array: &Type) {
         // Strict compilers assign only arrays whose type has a name.
         out.block("TYPE", "END_TYPE", |out| {
-            out.line(format_args!("{} : ARRAY [0..{last}] OF BOOL;", names.events_type));
+            out.line(format_args!("{} : {array};", names.events_type));
         });
         out.gap();
     }
 
-    fn events_type(&self, names: &Names, _: usize) -> String {
-        names.events_type.clone()
+    fn events_type(&self, names: &Names, _: Type) -> Type {
+        Type::Derived(names.events_type.clone())
     }
 
-    fn block_type(&self, name: &str) -> String {
-        name.to_owned()
+    fn block_type(&self, name: &str) -> Type {
+        Type::Derived(name.to_owned())
     }
 
     fn timer(&self) -> &'static str {
@@ -84,52 +89,36 @@ impl Frame for Standard {
         "st"
     }
 
-    fn function_block(
-        &self,
-        out: &mut Writer,
-        name: &str,
-        variables: &dyn Fn(&mut Writer),
-        statements: &dyn Fn(&mut Writer),
-    ) {
-        unit(out, ["FUNCTION_BLOCK", "END_FUNCTION_BLOCK"], name, variables, statements);
-    }
-
-    fn program(
-        &self,
-        out: &mut Writer,
-        name: &str,
-        variables: &dyn Fn(&mut Writer),
-        statements: &dyn Fn(&mut Writer),
-    ) {
-        unit(out, ["PROGRAM", "END_PROGRAM"], name, variables, statements);
+    fn unit(&self, out: &mut Writer, unit: &Unit<'_>) {
+        if let Some(comment) = unit.comment {
+            out.comment(comment);
+        }
+        let (keyword, name) = (unit.kind.keyword(), unit.name);
+        match &unit.kind {
+            Kind::Function(returned) => out.line(format_args!("{keyword} {name} : {returned}")),
+            Kind::FunctionBlock | Kind::Program => out.line(format_args!("{keyword} {name}")),
+        }
+        for variables in &unit.declarations.sections {
+            section(out, variables);
+        }
+        out.gap();
+        (unit.body)(out);
+        out.line(format_args!("END_{keyword}"));
+        out.gap();
     }
 
     fn configuration(&self, out: &mut Writer, names: &Names) {
-        out.block("CONFIGURATION Config0", "END_CONFIGURATION", |out| {
-            out.block("RESOURCE Res0 ON PLC", "END_RESOURCE", |out| {
-                out.line("TASK Cyclic(INTERVAL := T#10ms, PRIORITY := 1);");
-                out.line(format_args!("PROGRAM Main0 WITH Cyclic : {};", names.program));
+        use configuration::{INSTANCE, INTERVAL_MS, NAME, PRIORITY, RESOURCE, TASK};
+        out.block(format_args!("CONFIGURATION {NAME}"), "END_CONFIGURATION", |out| {
+            out.block(format_args!("RESOURCE {RESOURCE} ON PLC"), "END_RESOURCE", |out| {
+                out.line(format_args!("TASK {TASK}(INTERVAL := T#{INTERVAL_MS}ms, PRIORITY := {PRIORITY});"));
+                out.line(format_args!("PROGRAM {INSTANCE} WITH {TASK} : {};", names.program));
             });
         });
     }
 }
 
-fn unit(
-    out: &mut Writer,
-    [opening, closing]: [&str; 2],
-    name: &str,
-    variables: &dyn Fn(&mut Writer),
-    statements: &dyn Fn(&mut Writer),
-) {
-    out.line(format_args!("{opening} {name}"));
-    variables(out);
-    out.gap();
-    statements(out);
-    out.line(closing);
-    out.gap();
-}
-
-/// The blocks of SCL.
+/// The units of SCL.
 ///
 /// A data type of its own is always a structure there, so `pending` is an array without a name. Organization blocks have
 /// neither inputs nor outputs, so the program is a function block, with an instance that one of them calls.
@@ -145,14 +134,14 @@ impl Frame for Scl {
         "VAR"
     }
 
-    fn declare_events(&self, _: &mut Writer, _: &Names, _: usize) {}
+    fn declare_events(&self, _: &mut Writer, _: &Names, _: &Type) {}
 
-    fn events_type(&self, _: &Names, last: usize) -> String {
-        format!("ARRAY [0..{last}] OF BOOL")
+    fn events_type(&self, _: &Names, array: Type) -> Type {
+        array
     }
 
-    fn block_type(&self, name: &str) -> String {
-        quoted(name)
+    fn block_type(&self, name: &str) -> Type {
+        Type::Derived(quoted(name))
     }
 
     fn timer(&self) -> &'static str {
@@ -164,47 +153,48 @@ impl Frame for Scl {
         "scl"
     }
 
-    fn function_block(
-        &self,
-        out: &mut Writer,
-        name: &str,
-        variables: &dyn Fn(&mut Writer),
-        statements: &dyn Fn(&mut Writer),
-    ) {
-        out.line(format_args!("FUNCTION_BLOCK {}", quoted(name)));
+    fn unit(&self, out: &mut Writer, unit: &Unit<'_>) {
+        if let Some(comment) = unit.comment {
+            out.comment(comment);
+        }
+        let name = quoted(unit.name);
+        let closing = match &unit.kind {
+            Kind::Function(returned) => {
+                out.line(format_args!("FUNCTION {name} : {returned}"));
+                "END_FUNCTION"
+            }
+            Kind::FunctionBlock | Kind::Program => {
+                out.line(format_args!("FUNCTION_BLOCK {name}"));
+                "END_FUNCTION_BLOCK"
+            }
+        };
         out.line("{ S7_Optimized_Access := 'TRUE' }");
         out.line("VERSION : 0.1");
-        variables(out);
+        for variables in &unit.declarations.sections {
+            section(out, variables);
+        }
         out.gap();
         out.line("BEGIN");
-        out.indented(statements);
-        out.line("END_FUNCTION_BLOCK");
+        out.indented(&unit.body);
+        out.line(closing);
         out.gap();
-    }
-
-    fn program(
-        &self,
-        out: &mut Writer,
-        name: &str,
-        variables: &dyn Fn(&mut Writer),
-        statements: &dyn Fn(&mut Writer),
-    ) {
-        self.function_block(out, name, variables, statements);
     }
 
     fn configuration(&self, out: &mut Writer, names: &Names) {
-        out.line("DATA_BLOCK \"Main0\"");
+        use configuration::{INSTANCE, TASK};
+        let (instance, task) = (quoted(INSTANCE), quoted(TASK));
+        out.line(format_args!("DATA_BLOCK {instance}"));
         out.line("{ S7_Optimized_Access := 'TRUE' }");
         out.line("VERSION : 0.1");
         out.line(quoted(&names.program));
         out.line("BEGIN");
         out.line("END_DATA_BLOCK");
         out.gap();
-        out.line("ORGANIZATION_BLOCK \"Cyclic\"");
+        out.line(format_args!("ORGANIZATION_BLOCK {task}"));
         out.line("{ S7_Optimized_Access := 'TRUE' }");
         out.line("VERSION : 0.1");
         out.line("BEGIN");
-        out.indented(|out| out.line("\"Main0\"();"));
+        out.indented(|out| out.line(format_args!("{instance}();")));
         out.line("END_ORGANIZATION_BLOCK");
     }
 }

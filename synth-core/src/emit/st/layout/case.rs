@@ -5,6 +5,7 @@ use crate::controller::runs::Runs;
 use crate::controller::tables::Tables;
 use crate::emit::st::block::Block;
 use crate::emit::st::bound::{Cost, LayoutCost};
+use crate::emit::st::unit::{Declarations, Section, Unit};
 use crate::emit::st::writer::Writer;
 
 /// Branches instead of tables.
@@ -15,14 +16,16 @@ use crate::emit::st::writer::Writer;
 pub(in crate::emit::st) struct CaseLayout;
 
 impl Layout for CaseLayout {
-    fn functions(&self, _: &mut Writer, _: &Block<'_>) {}
+    fn functions<'a>(&self, _: &'a Block<'_>) -> Vec<Unit<'a>> {
+        Vec::new()
+    }
 
-    fn tables(&self, _: &mut Writer, _: &Block<'_>) {}
+    fn tables(&self, _: &mut Declarations, _: &Block<'_>) {}
 
-    fn variables(&self, out: &mut Writer, block: &Block<'_>) {
+    fn variables(&self, out: &mut Section, block: &Block<'_>) {
         if block.has_rows() {
-            out.line(format_args!("event : {};", block.types.index.keyword()));
-            out.line(format_args!("next : {};", block.types.index.keyword()));
+            out.variable("event", block.types.index);
+            out.variable("next", block.types.index);
         }
     }
 

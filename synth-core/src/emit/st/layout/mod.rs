@@ -7,20 +7,21 @@ pub(super) mod search;
 
 use super::block::Block;
 use super::bound::LayoutCost;
+use super::unit::{Declarations, Section, Unit};
 use super::writer::Writer;
 use crate::controller::runs::Runs;
 use crate::controller::tables::Tables;
 
 /// Declarations and statements that differ with how transitions are held.
 pub(super) trait Layout: Sync {
-    /// Declarations in front of the function block.
-    fn functions(&self, out: &mut Writer, block: &Block<'_>);
+    /// What the function block calls.
+    fn functions<'a>(&self, block: &'a Block<'_>) -> Vec<Unit<'a>>;
 
-    /// Blocks of variables that hold transitions.
-    fn tables(&self, out: &mut Writer, block: &Block<'_>);
+    /// Sections of variables that hold transitions.
+    fn tables(&self, out: &mut Declarations, block: &Block<'_>);
 
-    /// Variables of the statements below, without a block.
-    fn variables(&self, out: &mut Writer, block: &Block<'_>);
+    /// Variables of the statements below.
+    fn variables(&self, out: &mut Section, block: &Block<'_>);
 
     /// Consumes pending events that fit, until none does. There is an event with rows.
     fn consume(&self, out: &mut Writer, block: &Block<'_>);

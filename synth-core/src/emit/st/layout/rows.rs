@@ -8,6 +8,7 @@ use crate::emit::st::block::Block;
 use crate::emit::st::bound::{Cost, LayoutCost};
 use crate::emit::st::integer::Integer;
 use crate::emit::st::names::EventNames;
+use crate::emit::st::unit::{Declarations, Section, Unit};
 use crate::emit::st::writer::Writer;
 
 /// Mapping functions as arrays.
@@ -19,18 +20,17 @@ pub(in crate::emit::st) struct RowLayout {
 }
 
 impl Layout for RowLayout {
-    fn functions(&self, out: &mut Writer, block: &Block<'_>) {
-        if block.has_rows() || block.has_super_steps() {
-            self.search.functions(out, block, None);
-        }
+    fn functions<'a>(&self, block: &'a Block<'_>) -> Vec<Unit<'a>> {
+        let searches = block.has_rows() || block.has_super_steps();
+        if searches { self.search.functions(block, None) } else { Vec::new() }
     }
 
-    fn tables(&self, out: &mut Writer, block: &Block<'_>) {
+    fn tables(&self, out: &mut Declarations, block: &Block<'_>) {
         if !block.has_rows() && !block.has_super_steps() {
             return;
         }
-        let state = block.types.state.keyword();
-        out.block(self.section, "END_VAR", |out| {
+        let state = block.types.state;
+        out.section(self.section, |out| {
             for (_, mapping, names, text) in block.events() {
                 out.comment(text);
                 out.array(&names.source, state, &mapping.source);
@@ -41,13 +41,13 @@ impl Layout for RowLayout {
                 out.array("source", state, &block.tables.super_steps.source);
                 out.array("target", state, &block.tables.super_steps.target);
                 for (table, (names, codes)) in block.tables.components.iter().zip(block.components()) {
-                    out.array(&names.codes, codes.keyword(), &table.codes);
+                    out.array(&names.codes, codes, &table.codes);
                 }
             }
         });
     }
 
-    fn variables(&self, out: &mut Writer, block: &Block<'_>) {
+    fn variables(&self, out: &mut Section, block: &Block<'_>) {
         if block.has_rows() || block.has_super_steps() {
             self.search.variables(out, block.types.index);
         }

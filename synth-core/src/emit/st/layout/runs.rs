@@ -7,6 +7,7 @@ use crate::controller::tables::Tables;
 use crate::emit::st::block::Block;
 use crate::emit::st::bound::{Cost, LayoutCost};
 use crate::emit::st::integer::Integer;
+use crate::emit::st::unit::{Declarations, Section, Unit};
 use crate::emit::st::writer::Writer;
 
 /// Mapping functions as runs.
@@ -18,19 +19,18 @@ pub(in crate::emit::st) struct RunLayout {
 }
 
 impl Layout for RunLayout {
-    fn functions(&self, out: &mut Writer, block: &Block<'_>) {
-        if block.has_rows() || block.has_super_steps() {
-            self.search.functions(out, block, Some(block.runs.state.len()));
-        }
+    fn functions<'a>(&self, block: &'a Block<'_>) -> Vec<Unit<'a>> {
+        let searches = block.has_rows() || block.has_super_steps();
+        if searches { self.search.functions(block, Some(block.runs.state.len())) } else { Vec::new() }
     }
 
-    fn tables(&self, out: &mut Writer, block: &Block<'_>) {
+    fn tables(&self, out: &mut Declarations, block: &Block<'_>) {
         let runs = &block.runs;
         if runs.target.is_empty() {
             return;
         }
-        let (state, index) = (block.types.state.keyword(), block.types.index.keyword());
-        out.block(self.section, "END_VAR", |out| {
+        let (state, index) = (block.types.state, block.types.index);
+        out.section(self.section, |out| {
             if block.has_rows() {
                 out.comment("per event its first run; behind them, that of the super steps");
                 out.array("event_run", index, &runs.first[..runs.base.len()]);
@@ -46,22 +46,22 @@ impl Layout for RunLayout {
             if block.has_super_steps() {
                 out.comment("per run of the super steps its commands");
                 for (codes, (names, integer)) in runs.codes.iter().zip(block.components()) {
-                    out.array(&names.codes, integer.keyword(), codes);
+                    out.array(&names.codes, integer, codes);
                 }
             }
         });
     }
 
-    fn variables(&self, out: &mut Writer, block: &Block<'_>) {
+    fn variables(&self, out: &mut Section, block: &Block<'_>) {
         if block.runs.target.is_empty() {
             return;
         }
         let index = block.types.index;
         if block.has_rows() {
-            out.line(format_args!("event : {};", index.keyword()));
+            out.variable("event", index);
         }
         self.search.variables(out, index);
-        out.line(format_args!("row : {};", index.keyword()));
+        out.variable("row", index);
     }
 
     fn consume(&self, out: &mut Writer, block: &Block<'_>) {

@@ -3,6 +3,7 @@
 use crate::emit::st::block::Block;
 use crate::emit::st::bound::Cost;
 use crate::emit::st::integer::Integer;
+use crate::emit::st::unit::{Declarations, Kind, Section, Type, Unit};
 use crate::emit::st::writer::Writer;
 
 /// What is searched.
@@ -18,11 +19,11 @@ pub(in crate::emit::st) struct Entries<'a> {
 
 /// A way to make `first` the last entry that is not above the state, or the first entry if all are.
 pub(in crate::emit::st) trait Search: Sync {
-    /// Declarations in front of the function block. All arrays have up to `length` entries, if their type must say it.
-    fn functions(&self, out: &mut Writer, block: &Block<'_>, length: Option<usize>);
+    /// What it calls. All arrays have up to `length` entries, if their type must say it.
+    fn functions<'a>(&self, block: &'a Block<'_>, length: Option<usize>) -> Vec<Unit<'a>>;
 
     /// Its variables in the function block.
-    fn variables(&self, out: &mut Writer, index: Integer);
+    fn variables(&self, out: &mut Section, index: Integer);
 
     fn find(&self, out: &mut Writer, block: &Block<'_>, entries: &Entries<'_>);
 
@@ -53,11 +54,13 @@ fn halve(out: &mut Writer, source: &str) {
 pub(in crate::emit::st) struct Inline;
 
 impl Search for Inline {
-    fn functions(&self, _: &mut Writer, _: &Block<'_>, _: Option<usize>) {}
+    fn functions<'a>(&self, _: &'a Block<'_>, _: Option<usize>) -> Vec<Unit<'a>> {
+        Vec::new()
+    }
 
-    fn variables(&self, out: &mut Writer, index: Integer) {
+    fn variables(&self, out: &mut Section, index: Integer) {
         for name in ["first", "last", "middle"] {
-            out.line(format_args!("{name} : {};", index.keyword()));
+            out.variable(name, index);
         }
     }
 
@@ -81,38 +84,43 @@ impl Search for Inline {
 pub(in crate::emit::st) struct Pointers;
 
 impl Search for Pointers {
-    fn functions(&self, out: &mut Writer, block: &Block<'_>, length: Option<usize>) {
+    fn functions<'a>(&self, block: &'a Block<'_>, length: Option<usize>) -> Vec<Unit<'a>> {
         let name = &block.names.search;
-        let (state, index) = (block.types.state.keyword(), block.types.index.keyword());
+        let (state, index) = (block.types.state, block.types.index);
         // A pointer to an element is indexed as it is: CODESYS and TwinCAT do not look behind it.
         let (pointed, source) = match length {
-            Some(length) => (format!("ARRAY [0..{}] OF {state}", length.saturating_sub(1)), "source^"),
-            None => (state.to_owned(), "source"),
+            Some(length) => (Type::array(length.saturating_sub(1), state), "source^"),
+            None => (state.into(), "source"),
         };
-        out.comment("The last entry of first_row to last_row that is not above state, or first_row.");
-        out.line(format_args!("FUNCTION {name} : {index}"));
-        out.block("VAR_INPUT", "END_VAR", |out| {
-            out.line(format_args!("source : POINTER TO {pointed};"));
-            out.line(format_args!("first_row : {index};"));
-            out.line(format_args!("last_row : {index};"));
-            out.line(format_args!("state : {state};"));
+        let mut declarations = Declarations::default();
+        declarations.section("VAR_INPUT", |out| {
+            out.variable("source", Type::pointer(pointed));
+            out.variable("first_row", index);
+            out.variable("last_row", index);
+            out.variable("state", state);
         });
-        out.block("VAR", "END_VAR", |out| {
+        declarations.section("VAR", |out| {
             for variable in ["first", "last", "middle"] {
-                out.line(format_args!("{variable} : {index};"));
+                out.variable(variable, index);
             }
         });
-        out.gap();
-        out.code("#first := #first_row;");
-        out.code("#last := #last_row;");
-        halve(out, source);
-        out.code(format_args!("{name} := #first;"));
-        out.line("END_FUNCTION");
-        out.gap();
+        let body = move |out: &mut Writer| {
+            out.code("#first := #first_row;");
+            out.code("#last := #last_row;");
+            halve(out, source);
+            out.code(format_args!("{name} := #first;"));
+        };
+        vec![Unit {
+            comment: Some("The last entry of first_row to last_row that is not above state, or first_row."),
+            kind: Kind::Function(index.into()),
+            name,
+            declarations,
+            body: Box::new(body),
+        }]
     }
 
-    fn variables(&self, out: &mut Writer, index: Integer) {
-        out.line(format_args!("first : {};", index.keyword()));
+    fn variables(&self, out: &mut Section, index: Integer) {
+        out.variable("first", index);
     }
 
     fn find(&self, out: &mut Writer, block: &Block<'_>, entries: &Entries<'_>) {
