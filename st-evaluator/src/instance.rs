@@ -35,12 +35,12 @@ pub(crate) struct Root {
     pub(crate) pou: usize,
 }
 
-/// A variable, found by its path.
-struct Found {
+/// Where a variable of an instance is: found once, it is read and written without looking for its name.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Slot {
     ty: TypeId,
     address: usize,
-    name: String,
-    readable_only: bool,
+    constant: bool,
 }
 
 impl<'u> Instance<'u> {
@@ -103,12 +103,8 @@ impl<'u> Instance<'u> {
     ///
     /// There is no such variable, it is constant, or it does not take the value.
     pub fn set(&mut self, path: &str, value: impl Into<Value>) -> Result<(), AccessError> {
-        let found = self.find(path)?;
-        if found.readable_only {
-            return Err(AccessError(format!("`{path}` is constant")));
-        }
-        self.write(found.ty, found.address, &value.into())
-            .map_err(|message| AccessError(format!("`{path}`: {message}")))
+        let slot = self.slot(path)?;
+        self.set_at(slot, value).map_err(|AccessError(message)| AccessError(format!("`{path}`: {message}")))
     }
 
     /// Reads a variable.
@@ -117,8 +113,25 @@ impl<'u> Instance<'u> {
     ///
     /// There is no such variable.
     pub fn get(&self, path: &str) -> Result<Value, AccessError> {
-        let found = self.find(path)?;
-        Ok(self.read(found.ty, found.address))
+        self.slot(path).map(|slot| self.get_at(slot))
+    }
+
+    /// Writes a variable of this instance.
+    ///
+    /// # Errors
+    ///
+    /// It is constant, or does not take the value.
+    pub fn set_at(&mut self, slot: Slot, value: impl Into<Value>) -> Result<(), AccessError> {
+        if slot.constant {
+            return Err(AccessError("it is constant".to_owned()));
+        }
+        self.write(slot.ty, slot.address, &value.into()).map_err(AccessError)
+    }
+
+    /// Reads a variable of this instance.
+    #[must_use]
+    pub fn get_at(&self, slot: Slot) -> Value {
+        self.read(slot.ty, slot.address)
     }
 
     /// Reads a `BOOL`.
@@ -187,7 +200,12 @@ impl<'u> Instance<'u> {
         }
     }
 
-    fn find(&self, path: &str) -> Result<Found, AccessError> {
+    /// Where a variable is.
+    ///
+    /// # Errors
+    ///
+    /// There is no such variable.
+    pub fn slot(&self, path: &str) -> Result<Slot, AccessError> {
         let unknown = |what: &str| AccessError(format!("`{path}`: there is no `{what}`"));
         let end = |text: &str| text.find(['.', '[']).unwrap_or(text.len());
         let (mut name, mut rest) = path.split_at(end(path));
@@ -219,37 +237,32 @@ impl<'u> Instance<'u> {
         while !rest.is_empty() {
             if let Some(inner) = rest.strip_prefix('.') {
                 let (name, next) = inner.split_at(end(inner));
-                found = self.member(&found, name.trim()).ok_or_else(|| unknown(name))?;
+                found = self.member(found, name.trim()).ok_or_else(|| unknown(name))?;
                 rest = next;
             } else {
                 let close = rest.find(']').ok_or_else(|| unknown(rest))?;
-                found = self.element(&found, &rest[1..close]).ok_or_else(|| unknown(&rest[..=close]))?;
+                found = self.element(found, &rest[1..close]).ok_or_else(|| unknown(&rest[..=close]))?;
                 rest = &rest[close + 1..];
             }
         }
         Ok(found)
     }
 
-    fn variable(&self, variable: &Variable, base: usize) -> Found {
+    fn variable(&self, variable: &Variable, base: usize) -> Slot {
         let address = match variable.place {
             Place::Constant(at) => at as usize,
             Place::Global(at) => self.machine.globals() + at as usize,
             _ => base + variable.offset() as usize,
         };
-        Found { ty: variable.ty, address, name: variable.name.clone(), readable_only: variable.constant }
+        Slot { ty: variable.ty, address, constant: variable.constant }
     }
 
-    fn member(&self, of: &Found, name: &str) -> Option<Found> {
+    fn member(&self, of: Slot, name: &str) -> Option<Slot> {
         match self.unit.types.get(of.ty) {
             Type::Structure { fields, .. } => {
                 let field = fields.iter().find(|field| field.name.eq_ignore_ascii_case(name))?;
                 let address = of.address + field.offset as usize;
-                Some(Found {
-                    ty: field.ty,
-                    address,
-                    name: field.name.clone(),
-                    readable_only: of.readable_only,
-                })
+                Some(Slot { ty: field.ty, address, constant: of.constant })
             }
             Type::Block { pou, .. } => {
                 let variable = self.unit.pous[*pou].scope.get(&name.to_ascii_uppercase())?;
@@ -259,7 +272,7 @@ impl<'u> Instance<'u> {
         }
     }
 
-    fn element(&self, of: &Found, indices: &str) -> Option<Found> {
+    fn element(&self, of: Slot, indices: &str) -> Option<Slot> {
         let Type::Array { limits, element, .. } = self.unit.types.get(of.ty) else { return None };
         let indices: Vec<i64> = indices.split(',').map(|i| i.trim().parse().ok()).collect::<Option<_>>()?;
         if indices.len() != limits.len() {
@@ -273,7 +286,7 @@ impl<'u> Instance<'u> {
             row = row * (high - low + 1) + (index - low);
         }
         let address = of.address + row as usize * self.unit.types.size(*element) as usize;
-        Some(Found { ty: *element, address, name: of.name.clone(), readable_only: of.readable_only })
+        Some(Slot { ty: *element, address, constant: of.constant })
     }
 
     fn read(&self, ty: TypeId, address: usize) -> Value {

@@ -99,7 +99,7 @@ mod value;
 
 pub use dialect::Dialect;
 pub use error::{AccessError, Error, RuntimeError};
-pub use instance::Instance;
+pub use instance::{Instance, Slot};
 pub use machine::Stats;
 pub use task::Task;
 pub use unit::Unit;

@@ -2,7 +2,7 @@
 
 use crate::reference::Reference;
 use crate::tables::Random;
-use st_evaluator::{Dialect, Instance, Unit};
+use st_evaluator::{Dialect, Instance, Slot, Unit};
 use synth_core::controller::Controller;
 use synth_core::controller::cycle::Machine;
 use synth_core::controller::tables::Tables;
@@ -135,10 +135,18 @@ impl<'a> Model<'a> {
 /// A function block at work.
 #[derive(Debug)]
 pub struct Running<'u> {
-    names: NameMap,
     instance: Instance<'u>,
-    /// What stands before every name.
-    prefix: &'static str,
+    /// `enable` and `reset`.
+    control: [Slot; 2],
+    /// Inputs in table order.
+    events: Vec<Slot>,
+    /// Outputs of the components.
+    commands: Vec<Slot>,
+    state: Slot,
+    pending: Slot,
+    owed: Option<Slot>,
+    /// `unexpected` and `overrun`.
+    flags: [Slot; 2],
     /// What no call may exceed.
     bound: Cost,
 }
@@ -148,31 +156,45 @@ impl<'u> Running<'u> {
     ///
     /// # Panics
     ///
-    /// If there is no function block of that name.
+    /// If there is no function block of that name, or an input or output is missing.
     #[must_use]
     pub fn new(unit: &'u Unit, tables: &Tables, options: &Options) -> Running<'u> {
         let names = st::names(tables, options);
         let instance = unit.instance(&names.function_block).expect("the function block is there");
         let bound = st::bound(tables, options).expect("it fits");
-        Running { names, instance, prefix: "", bound }
+        Running::of(instance, &names, "", bound)
     }
 
     /// The program that passes everything through, run by the text's configuration, in SCL by its organization block.
     ///
     /// # Panics
     ///
-    /// If there is none.
+    /// If there is none, or an input or output is missing.
     #[must_use]
     pub fn program(unit: &'u Unit, tables: &Tables, options: &Options) -> Running<'u> {
-        let block = Running::new(unit, tables, options);
+        let names = st::names(tables, options);
         let instance = match options.target {
             Target::Siemens => unit.instance("Cyclic"),
             _ => unit.configuration(),
         };
+        let bound = st::bound(tables, options).expect("it fits");
         // Two calls at most, and an assignment for every output.
-        let outputs = block.names.components.len() as u64 + 4 + u64::from(options.owed);
-        let bound = Cost { statements: block.bound.statements + 2 + outputs, ..block.bound };
-        Running { instance: instance.expect("something runs the program"), prefix: "Main0.", bound, ..block }
+        let statements = bound.statements + 2 + names.components.len() as u64 + 4 + u64::from(options.owed);
+        let instance = instance.expect("something runs the program");
+        Running::of(instance, &names, "Main0.", Cost { statements, ..bound })
+    }
+
+    /// `prefix` stands before every name.
+    fn of(instance: Instance<'u>, names: &NameMap, prefix: &str, bound: Cost) -> Running<'u> {
+        let slot = |name: &str| instance.slot(&format!("{prefix}{name}")).expect("an input or output");
+        let control = ["enable", "reset"].map(slot);
+        let events = names.events.iter().map(|(_, name)| slot(name)).collect();
+        let commands = names.components.iter().map(|component| slot(&component.output)).collect();
+        let (state, pending) = (slot("state_no"), slot("pending"));
+        // Only where it is asked for.
+        let owed = instance.slot(&format!("{prefix}owed")).ok();
+        let flags = ["unexpected", "overrun"].map(slot);
+        Running { instance, control, events, commands, state, pending, owed, flags, bound }
     }
 
     /// What a power cycle makes of it: `fresh`, with what this one retains. What `fresh` has no place for is lost.
@@ -190,22 +212,22 @@ impl<'u> Running<'u> {
         !self.instance.retained().is_empty()
     }
 
-    /// Outputs, or what is wrong with the call itself: it fails, wraps integers around, or takes more than its bound.
+    /// Outputs, or what is wrong with the call itself.
     ///
     /// # Errors
     ///
-    /// What is wrong with the call.
+    /// It fails, wraps integers around, or takes more than its bound.
     ///
     /// # Panics
     ///
-    /// If an input or output is missing, or an input is written.
+    /// If an input is written, or something is of another type than the contract says.
     pub fn call(&mut self, inputs: &Inputs) -> Result<Outputs, String> {
-        let path = |name: &str| format!("{}{name}", self.prefix);
         let block = &mut self.instance;
-        block.set(&path("enable"), inputs.enable).expect("an input");
-        block.set(&path("reset"), inputs.reset).expect("an input");
-        for ((_, name), value) in self.names.events.iter().zip(&inputs.events) {
-            block.set(&path(name), *value).expect("an input");
+        for (slot, value) in self.control.into_iter().zip([inputs.enable, inputs.reset]) {
+            block.set_at(slot, value).expect("an input");
+        }
+        for (slot, value) in self.events.iter().zip(&inputs.events) {
+            block.set_at(*slot, *value).expect("an input");
         }
         let stats = block.call().map_err(|error| error.to_string())?;
         let Cost { statements, iterations, .. } = self.bound;
@@ -215,23 +237,23 @@ impl<'u> Running<'u> {
                 self.bound
             ));
         }
-        for ((_, name), value) in self.names.events.iter().zip(&inputs.events) {
-            assert_eq!(block.bool(&path(name)), Ok(*value), "inputs are not written");
+        let number = |slot: &Slot| block.get_at(*slot).as_int().and_then(|number| u32::try_from(number).ok());
+        let flag = |slot: &Slot| block.get_at(*slot).as_bool().expect("a `BOOL`");
+        for (slot, value) in self.events.iter().zip(&inputs.events) {
+            assert_eq!(flag(slot), *value, "inputs are not written");
         }
-        let number =
-            |name: &str| u32::try_from(block.int(&path(name)).expect("an output")).expect("not negative");
-        let bools = |name: &str| {
-            let mut bools = block.bools(&path(name)).ok()?;
-            bools.truncate(self.names.events.len());
-            Some(bools)
+        let bools = |slot: Slot| -> Vec<bool> {
+            let array = block.get_at(slot);
+            let values = array.as_array().expect("an array").iter().take(inputs.events.len());
+            values.map(|value| value.as_bool().expect("a `BOOL`")).collect()
         };
         Ok(Outputs {
-            commands: self.names.components.iter().map(|c| number(&c.output)).collect(),
-            state: number("state_no"),
-            pending: bools("pending").expect("an output"),
-            owed: bools("owed"),
-            unexpected: block.bool(&path("unexpected")).expect("an output"),
-            overrun: block.bool(&path("overrun")).expect("an output"),
+            commands: self.commands.iter().map(|slot| number(slot).expect("a code")).collect(),
+            state: number(&self.state).expect("a state"),
+            pending: bools(self.pending),
+            owed: self.owed.map(bools),
+            unexpected: flag(&self.flags[0]),
+            overrun: flag(&self.flags[1]),
         })
     }
 }

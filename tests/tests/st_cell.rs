@@ -11,7 +11,7 @@ use production_cell::{Controls, Report, run};
 use sml_tests::beside::{Inputs, Running, compiled};
 use sml_tests::fast;
 use synth_core::controller::tables::Tables;
-use synth_core::emit::st::{self, Options, Target};
+use synth_core::emit::st::{self, Encoding, Options, Target};
 use synth_core::pipeline::{Timings, compile};
 
 const SPECIFICATION: &str = include_str!("../../examples/production-cell/specs/production_cell.sml");
@@ -77,12 +77,11 @@ fn delivered(text: &str, tables: &Tables, options: &Options, items: u64) -> Repo
 }
 
 #[track_caller]
-fn check(target: Target) {
+fn check(options: Options) {
     let tables = tables();
-    let options = Options { target, ..Options::default() };
     let text = st::text(&tables, &options).expect("it fits");
     let report = delivered(&text, &tables, &options, items());
-    println!("{}: {report}", target.name());
+    println!("{options:?}: {report}");
     assert_eq!(report.violations, Vec::<String>::new());
     assert_eq!(report.items, items());
     assert!(report.together > items() / 10, "the plant must try the controller");
@@ -90,27 +89,32 @@ fn check(target: Target) {
 
 #[test]
 fn iec() {
-    check(Target::Iec);
+    check(Options { target: Target::Iec, ..Options::default() });
+}
+
+#[test]
+fn iec_in_the_published_layout() {
+    check(Options { encoding: Encoding::Rows, ..Options::default() });
 }
 
 #[test]
 fn codesys() {
-    check(Target::Codesys);
+    check(Options { target: Target::Codesys, ..Options::default() });
 }
 
 #[test]
 fn twincat() {
-    check(Target::Twincat);
+    check(Options { target: Target::Twincat, ..Options::default() });
 }
 
 #[test]
 fn siemens() {
-    check(Target::Siemens);
+    check(Options { target: Target::Siemens, ..Options::default() });
 }
 
 #[test]
 fn case() {
-    check(Target::Case);
+    check(Options { target: Target::Case, ..Options::default() });
 }
 
 /// The press works when the feed arm picks up, and not when it has released an item.

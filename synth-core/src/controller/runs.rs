@@ -1,6 +1,6 @@
 //! Tables as runs of consecutive states: what the sources of a mapping function say, in fewer numbers.
 //!
-//! The published layout lists every source. Where states are numbered well (see [`super::number`]), the sources of an
+//! The published layout lists every source. Where states are numbered well (see [`super::number()`]), the sources of an
 //! event are a few runs of consecutive numbers, and the rows of a run follow each other: it suffices to know the first
 //! state of each run and the row that it begins with. The states in which super steps are due break into runs wherever the
 //! commands change, so that codes are told once a run.
