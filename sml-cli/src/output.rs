@@ -76,6 +76,32 @@ fn replace(path: &Path, text: &str) -> io::Result<()> {
     result
 }
 
+/// Creates a file, whole or not at all, unless there is one already.
+pub(crate) fn create(path: &Path, text: &str) -> io::Result<()> {
+    let (mut file, temporary) = temporary_beside(path)?;
+    let result = file.write_all(text.as_bytes()).and_then(|()| match fs::hard_link(&temporary, path) {
+        // Some file systems have no links: then a reader may see half of it.
+        Err(error) if error.kind() != ErrorKind::AlreadyExists => create_in_place(path, text),
+        linked => linked,
+    });
+    // What counts is what became of `path`.
+    let _ = fs::remove_file(&temporary);
+    match result {
+        // Somebody was faster; what they wrote is theirs.
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => Ok(()),
+        result => result,
+    }
+}
+
+fn create_in_place(path: &Path, text: &str) -> io::Result<()> {
+    let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
+    let result = file.write_all(text.as_bytes());
+    if result.is_err() {
+        let _ = fs::remove_file(path);
+    }
+    result
+}
+
 /// A new file in the folder of `target`, from where it can be renamed.
 fn temporary_beside(target: &Path) -> io::Result<(File, PathBuf)> {
     let name = target.file_name().ok_or_else(|| io::Error::other("it has no file name"))?;

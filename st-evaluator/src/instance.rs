@@ -164,6 +164,42 @@ impl<'u> Instance<'u> {
         elements.flatten().ok_or_else(|| AccessError(format!("`{path}` is no array of `BOOL`")))
     }
 
+    /// The paths and values of all variables that a power cycle leaves as they are, those of blocks inside of blocks
+    /// included: [`Instance::set`] in a new instance is a warm start.
+    #[must_use]
+    pub fn retained(&self) -> Vec<(String, Value)> {
+        let mut retained = Vec::new();
+        for (root, address) in &self.roots {
+            let prefix = if root.name.is_empty() { String::new() } else { format!("{}.", root.name) };
+            self.collect_retained(root.pou, *address, &prefix, false, &mut retained);
+        }
+        retained
+    }
+
+    /// Inside of a block that is retained itself, everything is.
+    fn collect_retained(
+        &self,
+        pou: usize,
+        base: usize,
+        prefix: &str,
+        whole: bool,
+        retained: &mut Vec<(String, Value)>,
+    ) {
+        let variables = self.unit.pous[pou].scope.variables.iter();
+        for variable in variables.filter(|variable| matches!(variable.place, Place::This(_))) {
+            let path = format!("{prefix}{}", variable.name);
+            let address = base + variable.offset() as usize;
+            let kept = whole || variable.retain;
+            match self.unit.types.get(variable.ty) {
+                Type::Block { pou, .. } => {
+                    self.collect_retained(*pou, address, &format!("{path}."), kept, retained);
+                }
+                _ if kept => retained.push((path, self.read(variable.ty, address))),
+                _ => {}
+            }
+        }
+    }
+
     /// Where a variable is.
     ///
     /// # Errors

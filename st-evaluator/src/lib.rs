@@ -30,7 +30,7 @@
 //!
 //! - `BOOL`, the integers and bit strings, `TIME`, `STRING`; arrays of several dimensions, structures,
 //!   enumerations, subranges, other names for types; initial values with repetition.
-//! - All sections of variables; `CONSTANT`; `RETAIN` is read, and no power is ever lost. `AT` is read, and means
+//! - All sections of variables; `CONSTANT`; [`Instance::retained`] has what `RETAIN` keeps, but no power is ever lost by itself. `AT` is read, and means
 //!   nothing.
 //! - Functions, function blocks, programs, configurations. One call of a configuration is one scan: every program
 //!   runs, whatever its task's interval. What tasks there are, [`Unit::tasks`] tells.

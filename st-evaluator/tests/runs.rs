@@ -537,6 +537,44 @@ fn touch(instance: &mut Instance<'_>, path: &str, value: impl Into<Value>) -> bo
 }
 
 #[test]
+fn a_power_cycle_leaves_what_is_retained() {
+    let text = "
+    FUNCTION_BLOCK Inner
+    VAR RETAIN kept : INT; list : ARRAY [0..1] OF BOOL; END_VAR
+    VAR lost : INT; END_VAR
+    VAR NON_RETAIN lost_too : INT; END_VAR
+      kept := kept + 1; lost := lost + 1; lost_too := lost_too + 1; list[1] := TRUE;
+    END_FUNCTION_BLOCK
+    FUNCTION_BLOCK Outer
+    VAR one : Inner; END_VAR
+    VAR RETAIN two : Inner; END_VAR
+    VAR count : INT; END_VAR
+      one(); two(); count := count + 1;
+    END_FUNCTION_BLOCK
+    PROGRAM Main VAR own : Outer; END_VAR own(); END_PROGRAM
+    CONFIGURATION Config
+      RESOURCE Res ON PLC TASK Cyclic(INTERVAL := T#1ms, PRIORITY := 1); PROGRAM Main0 WITH Cyclic : Main; END_RESOURCE
+    END_CONFIGURATION";
+    let unit = unit(Edition2, text);
+    let mut before = unit.configuration().expect("it is there");
+    before.call().expect("it runs");
+    before.call().expect("it runs");
+    let mut after = unit.configuration().expect("it is there");
+    let retained = before.retained();
+    let paths: Vec<&str> = retained.iter().map(|(path, _)| path.as_str()).collect();
+    let one = ["kept", "list"].map(|name| format!("Main0.own.one.{name}"));
+    let two = ["kept", "list", "lost", "lost_too"].map(|name| format!("Main0.own.two.{name}"));
+    assert_eq!(paths, [&one[..], &two[..]].concat());
+    for (path, value) in retained {
+        after.set(&path, value).expect("it is there");
+    }
+    after.call().expect("it runs");
+    let numbers = ["own.one.kept", "own.one.lost", "own.two.kept", "own.two.lost", "own.count"]
+        .map(|path| after.int(&format!("Main0.{path}")));
+    assert_eq!(numbers, [3, 1, 3, 3, 1].map(Ok));
+}
+
+#[test]
 fn values_from_outside_are_checked() {
     let text = block("a : USINT; b : BOOL; t1 : STRING[2]; r2 : ARRAY [0..1] OF INT; t2 : TIME;", ";")
         .replace("VAR a", "VAR CONSTANT c : INT := 1; END_VAR VAR a");

@@ -14,6 +14,7 @@ pub mod emit;
 pub mod existential;
 pub mod explain;
 pub mod explore;
+mod fnv;
 pub mod game;
 mod intern;
 pub mod model;

@@ -32,6 +32,8 @@ pub struct Outputs {
     pub unexpected: bool,
     /// Whether something was raised that was pending.
     pub overrun: bool,
+    /// In table order which events are owed, where that is an output.
+    pub owed: Option<Vec<bool>>,
 }
 
 /// The interface of the function block over the interpreter, as `docs/controller.md` tells it.
@@ -80,7 +82,8 @@ impl<'a> Model<'a> {
         self.previous.clone_from(&inputs.events);
         let state = self.reference.state;
         let pending = (0..tables.events.len()).map(|event| self.reference.pending.contains(&event)).collect();
-        Outputs { commands, state, pending, unexpected: self.unexpected, overrun }
+        let owed = self.options.owed.then(|| self.owed());
+        Outputs { commands, state, pending, unexpected: self.unexpected, overrun, owed }
     }
 
     fn raise(&mut self, event: usize) -> bool {
@@ -112,6 +115,16 @@ impl<'a> Model<'a> {
         commands
     }
 
+    /// Per event whether the environment owes it.
+    fn owed(&self) -> Vec<bool> {
+        let tables = self.reference.tables();
+        let owed = &tables.owed[self.reference.state as usize];
+        if self.options.unexpected != Unexpected::Drop {
+            assert_eq!(self.machine.owed(), owed);
+        }
+        (0..tables.events.len() as u32).map(|event| owed.contains(&event)).collect()
+    }
+
     /// Whether no super step is due.
     fn machine_waits(&self) -> bool {
         let tables = self.reference.tables();
@@ -131,6 +144,7 @@ pub struct Running<'u> {
     commands: Vec<Slot>,
     state: Slot,
     pending: Slot,
+    owed: Option<Slot>,
     /// `unexpected` and `overrun`.
     flags: [Slot; 2],
     /// What no call may exceed.
@@ -165,7 +179,7 @@ impl<'u> Running<'u> {
         };
         let bound = st::bound(tables, options).expect("it fits");
         // Two calls at most, and an assignment for every output.
-        let statements = bound.statements + 2 + names.components.len() as u64 + 4;
+        let statements = bound.statements + 2 + names.components.len() as u64 + 4 + u64::from(options.owed);
         let instance = instance.expect("something runs the program");
         Running::of(instance, &names, "Main0.", Cost { statements, ..bound })
     }
@@ -177,8 +191,25 @@ impl<'u> Running<'u> {
         let events = names.events.iter().map(|(_, name)| slot(name)).collect();
         let commands = names.components.iter().map(|component| slot(&component.output)).collect();
         let (state, pending) = (slot("state_no"), slot("pending"));
+        // Only where it is asked for.
+        let owed = instance.slot(&format!("{prefix}owed")).ok();
         let flags = ["unexpected", "overrun"].map(slot);
-        Running { instance, control, events, commands, state, pending, flags, bound }
+        Running { instance, control, events, commands, state, pending, owed, flags, bound }
+    }
+
+    /// What a power cycle makes of it: `fresh`, with what this one retains. What `fresh` has no place for is lost.
+    #[must_use]
+    pub fn after_power_cycle<'v>(&self, mut fresh: Running<'v>) -> Running<'v> {
+        for (path, value) in self.instance.retained() {
+            let _ = fresh.instance.set(&path, value);
+        }
+        fresh
+    }
+
+    /// Whether a power cycle leaves anything.
+    #[must_use]
+    pub fn retains(&self) -> bool {
+        !self.instance.retained().is_empty()
     }
 
     /// Outputs, or what is wrong with the call itself.
@@ -211,12 +242,16 @@ impl<'u> Running<'u> {
         for (slot, value) in self.events.iter().zip(&inputs.events) {
             assert_eq!(flag(slot), *value, "inputs are not written");
         }
-        let pending = block.get_at(self.pending);
-        let pending = pending.as_array().expect("an array").iter().take(inputs.events.len());
+        let bools = |slot: Slot| -> Vec<bool> {
+            let array = block.get_at(slot);
+            let values = array.as_array().expect("an array").iter().take(inputs.events.len());
+            values.map(|value| value.as_bool().expect("a `BOOL`")).collect()
+        };
         Ok(Outputs {
             commands: self.commands.iter().map(|slot| number(slot).expect("a code")).collect(),
             state: number(&self.state).expect("a state"),
-            pending: pending.map(|value| value.as_bool().expect("a `BOOL`")).collect(),
+            pending: bools(self.pending),
+            owed: self.owed.map(bools),
             unexpected: flag(&self.flags[0]),
             overrun: flag(&self.flags[1]),
         })

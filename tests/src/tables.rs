@@ -74,6 +74,7 @@ fn tables(specification: &str, states: u32) -> Tables {
         provenance: Provenance {
             file: format!("specs/{}.sml", specification.to_lowercase()),
             hash: "00000000000000ff".to_owned(),
+            options: String::new(),
             requirements: Vec::new(),
         },
     }
@@ -110,6 +111,7 @@ pub fn cell() -> Tables {
             " Every <blank> [1] is *pressed*,".to_owned(),
             " see http://example.org/blank_press.".to_owned(),
         ],
+        file: "specs/smallcell.sml".to_owned(),
         line: 12,
     }];
     cell

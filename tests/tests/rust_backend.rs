@@ -11,7 +11,7 @@ use sml_tests::tables::{self, Random, Size};
 use synth_core::controller::cycle::Machine;
 use synth_core::controller::tables::{Provenance, Tables};
 use synth_core::controller::{Controller, json};
-use synth_core::emit::rust::{Options, module, text};
+use synth_core::emit::rust::{Options, module, templates, text};
 use synth_core::emit::st;
 
 /// A module, the tables it is of, and the fields of its `Commands`.
@@ -163,6 +163,15 @@ fn write_crate(cases: &[Case]) -> std::io::Result<Scratch> {
         scratch.write(&format!("src/compiled_{i}.rs"), text)?;
         let _ = writeln!(library, "include!(\"compiled_{i}.rs\");");
         let _ = writeln!(private, "mod c{i} {{\n    include!(\"../compiled_{i}.rs\");\n}}");
+    }
+    // Templates are to be changed, so they need not please the strictest.
+    for Case { module, tables, .. } in cases.iter().filter(|case| case.tables.states < 100) {
+        for template in templates(tables) {
+            scratch.write(&format!("src/{module}_{}", template.file), &template.text)?;
+            let name = template.file.trim_end_matches(".rs");
+            let allowed = "clippy::nursery, clippy::pedantic, dead_code, unreachable_pub";
+            let _ = writeln!(library, "#[allow({allowed})]\nmod {module}_{name};");
+        }
     }
     private.push_str("\nfn main() {}\n");
     let _ =

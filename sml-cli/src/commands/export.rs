@@ -1,6 +1,7 @@
 //! `sml export`: the controller in the language of a target.
 
 mod figures;
+mod templates;
 
 use crate::failure::{Exit, Failure, nowhere};
 use crate::options::{Format, Minimize};
@@ -11,13 +12,15 @@ use clap::ValueEnum;
 use std::fmt;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
-use synth_core::controller::Controller;
 use synth_core::controller::json::to_json;
-use synth_core::controller::tables::Tables;
-use synth_core::diagnostic::Code;
+use synth_core::controller::tables::{Provenance, Tables};
+use synth_core::controller::{Controller, Level};
+use synth_core::diagnostic::{Code, Diagnostic};
 use synth_core::emit::st::plcopen;
+use synth_core::emit::template::Template;
 use synth_core::emit::{dot, mermaid, rust, st};
 use synth_core::pipeline::provenance;
+use synth_core::syntax::Sources;
 
 /// Arguments of `sml export`.
 #[derive(Debug, clap::Args)]
@@ -30,10 +33,10 @@ pub(crate) struct Arguments {
     /// Where to write; stdout otherwise
     #[arg(short, long, value_name = "PATH")]
     output: Option<PathBuf>,
-    /// Write nothing; fail if PATH is not what would be written
-    #[arg(long, requires = "output")]
+    /// Write nothing; fail if PATH is not what would be written, or a template in DIR is missing or stale
+    #[arg(long)]
     check: bool,
-    /// Also write missing templates of secondaries (not supported yet)
+    /// Also write templates of secondaries into this folder, those that are not there yet
     #[arg(long, value_name = "DIR")]
     templates: Option<PathBuf>,
     #[command(flatten)]
@@ -64,6 +67,12 @@ struct StructuredText {
     /// Structured Text: how the tables hold transitions
     #[arg(long, value_enum)]
     encoding: Option<Encoding>,
+    /// Structured Text: one more output, `owed`: which events the environment owes
+    #[arg(long)]
+    owed: bool,
+    /// Structured Text: state and pending events survive a power cycle, unless the tables are others afterwards
+    #[arg(long)]
+    retain: bool,
 }
 
 /// Options of PLCopen XML.
@@ -183,8 +192,11 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     if arguments.target == Target::Case && arguments.text.encoding.is_some() {
         return Err(Failure::usage("target `case` has no tables that `--encoding` could mean".to_owned()));
     }
-    if arguments.templates.is_some() {
-        return Err(Failure::unsupported("--templates"));
+    if arguments.templates.is_some() && structured_text.is_none() && arguments.target != Target::Rust {
+        return Err(Failure::usage(format!("there are no templates for target `{}`", arguments.target)));
+    }
+    if arguments.check && arguments.output.is_none() && arguments.templates.is_none() {
+        return Err(Failure::usage("`--check` needs something to check: `--output` or `--templates`"));
     }
     let level = arguments.minimize.level().map_err(Failure::unsupported)?;
     output::refuse_input(arguments.output.as_deref(), &arguments.file)?;
@@ -195,14 +207,23 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let policy = arguments.warnings.policy();
     let warnings = session.warnings_beside(&loaded, &mut solved, &policy)?;
     warnings::show(warnings, &policy, &loaded, session)?;
-    let tables = Tables::new(&spec.name, &controller, provenance(&loaded, &spec));
+    let provenance = Provenance { options: arguments.general_options(session), ..provenance(&loaded, &spec) };
+    let tables = Tables::new(&spec.name, &controller, provenance);
     let options = arguments.text.options(structured_text.unwrap_or_default());
-    let text = session
-        .stage("emit", || write(&tables, &controller, &options))
-        .map_err(|why| Failure::new(Exit::Wrong, nowhere(Code::Unfit, why)))?;
-    match &arguments.output {
-        Some(path) if arguments.check => compare(path, &text, arguments)?,
-        path => output::product(path.as_deref(), &text)?,
+    let unfit = |why| Failure::new(Exit::Wrong, nowhere(Code::Unfit, why));
+    let text = session.stage("emit", || write(&tables, &controller, &options)).map_err(unfit)?;
+    let secondaries = match &arguments.templates {
+        Some(folder) => Some((folder, templates::of(arguments.target, &tables, &options).map_err(unfit)?)),
+        None => None,
+    };
+    if arguments.check {
+        check(arguments, &text, secondaries)?;
+    } else {
+        // The product comes last: if anything fails, it stays as it was.
+        if let Some((folder, secondaries)) = &secondaries {
+            templates::write(folder, secondaries, session)?;
+        }
+        output::product(arguments.output.as_deref(), &text)?;
     }
     if let Some(path) = arguments.output.as_deref().filter(|path| path.as_os_str() != "-") {
         match session.format() {
@@ -240,11 +261,27 @@ fn document(tables: &Tables, dialect: plcopen::Dialect, options: &st::Options) -
     plcopen::document(tables, dialect, options).map_err(|unfit| unfit.to_string())
 }
 
-/// `--check`: whether the file holds `text` already.
-fn compare(path: &Path, text: &str, arguments: &Arguments) -> Result<(), Failure> {
+/// `--check`: whether everything is there and up to date.
+fn check(
+    arguments: &Arguments,
+    text: &str,
+    secondaries: Option<(&PathBuf, Vec<Template>)>,
+) -> Result<(), Failure> {
+    let mut found = Vec::new();
+    if let Some(path) = &arguments.output {
+        found.extend(compare(path, text, arguments)?);
+    }
+    if let Some((folder, secondaries)) = secondaries {
+        found.extend(templates::check(folder, &secondaries)?);
+    }
+    if found.is_empty() { Ok(()) } else { Err(Failure::all(Exit::No, found, Sources::new())) }
+}
+
+/// What is wrong with a file that is to hold `text`.
+fn compare(path: &Path, text: &str, arguments: &Arguments) -> Result<Option<Diagnostic>, Failure> {
     let shown = path.display().to_string();
     let what = match std::fs::read(path) {
-        Ok(bytes) if bytes == text.as_bytes() => return Ok(()),
+        Ok(bytes) if bytes == text.as_bytes() => return Ok(None),
         Ok(_) => "is stale",
         Err(error) if error.kind() == ErrorKind::NotFound => "is missing",
         Err(error) => return Err(Failure::unreadable(&shown, &error)),
@@ -254,7 +291,19 @@ fn compare(path: &Path, text: &str, arguments: &Arguments) -> Result<(), Failure
         input::name(&arguments.file),
         arguments.target
     );
-    Err(Failure::new(Exit::No, nowhere(Code::Stale, format!("`{shown}` {what}")).help(help)))
+    Ok(Some(nowhere(Code::Stale, format!("`{shown}` {what}")).help(help)))
+}
+
+impl Arguments {
+    /// The options that are not a target's own, as far as they change the controller.
+    fn general_options(&self, session: &Session) -> String {
+        let classic = if session.semantics().classic { " --classic" } else { "" };
+        let level = match self.minimize.level() {
+            Ok(Level::None) => " --minimize none",
+            _ => "",
+        };
+        format!("{classic}{level}")
+    }
 }
 
 impl StructuredText {
@@ -264,6 +313,8 @@ impl StructuredText {
             || self.integers.is_some()
             || self.drain
             || self.encoding.is_some()
+            || self.owed
+            || self.retain
     }
 
     fn options(&self, target: st::Target) -> st::Options {
@@ -287,6 +338,8 @@ impl StructuredText {
                 Some(Encoding::Rows) => st::Encoding::Rows,
                 Some(Encoding::Runs) | None => st::Encoding::Runs,
             },
+            owed: self.owed,
+            retain: self.retain,
         }
     }
 }

@@ -30,6 +30,7 @@ struct Document<'a> {
     function_block: &'a str,
     program: &'a str,
     state: &'a str,
+    owed: &'a str,
     events: Vec<Event<'a>>,
     components: Vec<Component<'a>>,
 }
@@ -44,6 +45,8 @@ struct Event<'a> {
 struct Component<'a> {
     object: &'a str,
     output: &'a str,
+    secondary: &'a str,
+    file: &'a str,
     codes: BTreeMap<&'a str, u32>,
 }
 
@@ -80,6 +83,7 @@ fn json(target: &str, names: &st::NameMap) -> String {
         function_block: &names.function_block,
         program: &names.program,
         state: &names.state,
+        owed: &names.owed,
         events: names.events.iter().map(|(event, input)| Event { event, input }).collect(),
         components: names
             .components
@@ -87,6 +91,8 @@ fn json(target: &str, names: &st::NameMap) -> String {
             .map(|component| Component {
                 object: &component.object,
                 output: &component.output,
+                secondary: &component.secondary,
+                file: &component.file,
                 codes: component.codes.iter().map(|(text, code)| (text.as_str(), *code)).collect(),
             })
             .collect(),

@@ -110,6 +110,9 @@ fn wrong_usage_is_2() {
     check("play -", 2, "SML0100");
     check("export memory/spec.sml --target rust --drain", 2, "SML0100");
     check("names memory/spec.sml --target dot", 2, "SML0100");
+    check("export memory/spec.sml --target dot --templates d", 2, "SML0100");
+    check("export memory/spec.sml --target rust --retain", 2, "SML0100");
+    check("export memory/spec.sml --target rust --check", 2, "SML0100");
     check("export memory/spec.sml --target iec --dialect iec", 2, "SML0100");
     check("export memory/spec.sml --target rust --dialect iec", 2, "SML0100");
     check("names memory/spec.sml --target codesys --dialect codesys", 2, "SML0100");
@@ -120,7 +123,6 @@ fn what_is_not_there_yet_is_2() {
     check("supervise plant", 2, "SML0101");
     check("synth memory/spec.sml --minimize assume", 2, "SML0101");
     check("cycle memory/spec.sml --stimulus /dev/null --minimize ordered", 2, "SML0101");
-    check("export memory/spec.sml --target rust --templates d", 2, "SML0101");
     for target in ["ladder", "il", "svg", "html"] {
         check(&format!("export memory/spec.sml --target {target}"), 2, "SML0101");
         check(&format!("names memory/spec.sml --target {target}"), 2, "SML0101");

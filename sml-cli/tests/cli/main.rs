@@ -12,5 +12,6 @@ mod play_script;
 mod products;
 mod stimulus;
 mod support;
+mod templates;
 mod transcripts;
 mod warnings;

@@ -152,6 +152,10 @@ fn options_of_structured_text_reach_it() {
         ("--unexpected fault", "unexpected: fault"),
         ("--integers signed", "integers: signed"),
         ("--drain", "(drain)"),
+        ("--owed", "owed : Memory_Events;"),
+        ("--retain", "VAR RETAIN"),
+        ("--no-minimize", "--target iec --minimize none *)"),
+        ("--classic", "--target iec --classic *)"),
     ] {
         let text = sml(&format!("export memory/spec.sml --target iec {option}")).stdout;
         assert!(text.contains(part) && !plain.contains(part), "{option}");

@@ -81,6 +81,7 @@ pub(crate) struct Variable {
     pub(crate) ty: TypeId,
     pub(crate) place: Place,
     pub(crate) constant: bool,
+    pub(crate) retain: bool,
     /// Of a constant.
     pub(crate) value: Option<i64>,
     pub(crate) at: Position,
@@ -372,6 +373,7 @@ impl<'t> Analysis<'t> {
             ty,
             place,
             constant: false,
+            retain: false,
             value: None,
             at: position(name),
         };

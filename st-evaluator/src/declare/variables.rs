@@ -13,7 +13,7 @@ use crate::types::{Type, TypeId};
 struct Header {
     section: Section,
     constant: bool,
-    retain: bool,
+    retain: Option<bool>,
 }
 
 impl<'t> Analysis<'t> {
@@ -80,12 +80,14 @@ impl<'t> Analysis<'t> {
             .map(|qualifier| self.source.name(qualifier))
             .collect();
         let has = |word: &str| qualifiers.iter().any(|q| q == word);
-        Some(Header { section, constant: has("CONSTANT"), retain: has("RETAIN") || has("NON_RETAIN") })
+        let retain = has("RETAIN").then_some(true).or(has("NON_RETAIN").then_some(false));
+        Some(Header { section, constant: has("CONSTANT"), retain })
     }
 
     /// What the sections of the standard exclude.
     fn check_header(&mut self, node: Node<'t>, header: Header, kind: PouKind) {
         let Header { section, constant, retain } = header;
+        let retain = retain.is_some();
         let strict = self.is_strict();
         let refused = match (kind, section) {
             (PouKind::Function, Section::External) => Some("a function has no `VAR_EXTERNAL`"),
@@ -161,8 +163,9 @@ impl<'t> Analysis<'t> {
         let value = (header.constant && self.types.is_scalar(ty)).then(|| image[0]);
         let value = value.filter(|_| header.section != Section::External && header.section != Section::InOut);
         let constant = header.constant;
-        let variable =
-            Variable { name, section: header.section, ty, place, constant, value, at: position(node) };
+        let retain = header.retain == Some(true);
+        let (section, at) = (header.section, position(node));
+        let variable = Variable { name, section, ty, place, constant, retain, value, at };
         pou.scope.by_name.insert(capitals, pou.scope.variables.len());
         pou.scope.variables.push(variable);
     }

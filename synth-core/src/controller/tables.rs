@@ -44,7 +44,9 @@ pub struct Requirement {
     pub kind: &'static str,
     /// Its `///` lines.
     pub text: Vec<String>,
-    /// Line of its name in the specification.
+    /// The file that it stands in, as the user named it.
+    pub file: String,
+    /// Line of its name there.
     pub line: u32,
 }
 
@@ -55,6 +57,8 @@ pub struct Provenance {
     pub file: String,
     /// FNV-1a of all input text, 16 hex digits.
     pub hash: String,
+    /// Options that made another controller of it than the defaults would, each with a space in front.
+    pub options: String,
     /// Every scenario in textual order.
     pub requirements: Vec<Requirement>,
 }

@@ -323,7 +323,11 @@ codes! {
          asks for it, or it would violate a scenario of its own side. The message lists those that can.\n";
     Stale = 107, "an output that is not up to date",
         "`--check` compares a file with what would be written into it. They differ, or the file is missing. Export it\n\
-         again without `--check`. The exit code is 1.\n";
+         again without `--check`. The exit code is 1.\n\n\
+         A template of a secondary is stale when the specification no longer has the commands and events that the\n\
+         head of the file lists; the notes say which are new and which are gone. It is yours and never overwritten:\n\
+         adapt it by hand, then take over the head of a template that is written into another folder. Without\n\
+         `--check` this is a warning.\n";
     Unfit = 108, "a controller that a target cannot hold",
         "States, rows or commands outnumber what the target's types can tell apart, or draining would never end.\n\
          Nothing is written.\n";

@@ -6,3 +6,4 @@ pub mod mermaid;
 pub mod names;
 pub mod rust;
 pub mod st;
+pub mod template;

@@ -40,11 +40,13 @@ pub fn provenance(loaded: &Loaded, spec: &Spec) -> Provenance {
             Kind::Existential => "existential",
         },
         text: scenario.requirement.clone(),
+        file: loaded.sources.path(scenario.span.file).to_owned(),
         line: scenario.span.start.line,
     };
     Provenance {
         file: loaded.sources.path(Loaded::MAIN).to_owned(),
         hash: loaded.hash(),
+        options: String::new(),
         requirements: spec.scenarios.iter().map(requirement).collect(),
     }
 }

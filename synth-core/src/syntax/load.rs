@@ -2,6 +2,7 @@
 
 use super::{FileId, Sources, Span, ast, decode, is_utf16, parse_text, print};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::fnv::Fnv;
 
 /// All files of a specification.
 #[derive(Debug, Default)]
@@ -153,19 +154,14 @@ impl Loaded {
     /// form stands for it.
     #[must_use]
     pub fn hash(&self) -> String {
-        let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-        let mut eat = |text: &str| {
-            for byte in text.bytes().chain([0]) {
-                hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-            }
-        };
+        let mut hash = Fnv::new();
         for file in 0..self.sources.len() as u32 {
-            eat(self.sources.text(FileId(file)));
+            hash.text(self.sources.text(FileId(file)));
         }
         if self.sources.text(Self::MAIN).is_empty() {
-            self.files.last().into_iter().for_each(|main| eat(&print(main)));
+            self.files.last().into_iter().for_each(|main| hash.text(&print(main)));
         }
-        format!("{hash:016x}")
+        hash.hex()
     }
 }
 

@@ -35,6 +35,7 @@ pub(crate) fn lamp() -> Tables {
         provenance: Provenance {
             file: "specs/lamp.sml".to_owned(),
             hash: "0123456789abcdef".to_owned(),
+            options: String::new(),
             requirements: Vec::new(),
         },
     }
@@ -46,14 +47,17 @@ pub(crate) fn any_options() -> impl Strategy<Value = Options> {
     let integers = prop::sample::select(vec![Integers::Unsigned, Integers::Signed]);
     let unexpected = prop::sample::select(vec![Unexpected::Keep, Unexpected::Drop, Unexpected::Fault]);
     let encoding = prop::sample::select(vec![Encoding::Runs, Encoding::Rows]);
-    (target, trigger, integers, any::<bool>(), unexpected, encoding).prop_map(
-        |(target, trigger, integers, drain, unexpected, encoding)| Options {
+    let flags = any::<[bool; 3]>();
+    (target, trigger, integers, flags, unexpected, encoding).prop_map(
+        |(target, trigger, integers, [drain, owed, retain], unexpected, encoding)| Options {
             target,
             trigger,
             integers,
             drain,
             unexpected,
             encoding,
+            owed,
+            retain,
         },
     )
 }

@@ -6,7 +6,8 @@ mod reader;
 use fixture::{any_options, any_tables, event, lamp};
 use proptest::prelude::*;
 use reader::{Arrays, arrays, lint, tokens, without_comments};
-use synth_core::controller::tables::{Mapping, Requirement, Tables};
+use synth_core::controller::Event;
+use synth_core::controller::tables::{EventTable, Mapping, Requirement, Tables};
 use synth_core::emit::st::{self, Encoding, Integers, Options, Target, Trigger, Unexpected, Unfit};
 
 fn written(tables: &Tables, options: &Options) -> String {
@@ -122,21 +123,76 @@ fn deterministic() {
     assert_eq!(written(&lamp(), &Options::default()), written(&lamp(), &Options::default()));
 }
 
-/// The whole text for every target, as it stands in `snapshots`; the line with the version is left out.
-/// `SML_BLESS=1` writes them anew.
+/// The text is the one in `snapshots`, but for lines with the version. `SML_BLESS=1` writes it anew.
+#[track_caller]
+fn check_snapshot(name: &str, text: &str) {
+    let with_version =
+        |line: &str| line.starts_with("(* Generator: ") || line.starts_with("(* Written once ");
+    let lines: Vec<&str> = text.lines().filter(|line| !with_version(line)).collect();
+    let found = lines.join("\n") + "\n";
+    let path = format!("{}/tests/structured_text/snapshots/{name}.st", env!("CARGO_MANIFEST_DIR"));
+    if std::env::var_os("SML_BLESS").is_some() {
+        std::fs::write(&path, &found).expect("the snapshot can be written");
+    }
+    let expected = std::fs::read_to_string(&path).expect("the snapshot exists");
+    assert!(found == expected, "differs from {path}:\n{found}");
+}
+
+/// The whole text for every target.
 #[test]
 fn snapshots() {
     for target in Target::ALL {
-        let text = written(&lamp(), &Options { target, ..Options::default() });
-        let lines: Vec<&str> = text.lines().filter(|line| !line.starts_with("(* Generator: ")).collect();
-        let found = lines.join("\n") + "\n";
-        let path =
-            format!("{}/tests/structured_text/snapshots/{}.st", env!("CARGO_MANIFEST_DIR"), target.name());
-        if std::env::var_os("SML_BLESS").is_some() {
-            std::fs::write(&path, &found).expect("the snapshot can be written");
-        }
-        let expected = std::fs::read_to_string(&path).expect("the snapshot exists");
-        assert!(found == expected, "{} differs from {path}:\n{found}", target.name());
+        check_snapshot(target.name(), &written(&lamp(), &Options { target, ..Options::default() }));
+    }
+}
+
+/// The lamp says when it is lit, after it was commanded to, and when it is broken, which nobody promises.
+fn talking_lamp() -> Tables {
+    let mut tables = lamp();
+    for text in ["lamp -> control.broken()", "lamp -> control.lit()"] {
+        let event = Event::from_text(text).expect("an event");
+        tables.events.push(EventTable { event, mapping: Mapping::default() });
+    }
+    tables.owed = vec![vec![0], vec![], vec![1, 3], vec![]];
+    tables
+}
+
+/// All that can be asked for, and the template of a secondary, in both ways to write blocks.
+#[test]
+fn snapshots_of_options_and_templates() {
+    for target in [Target::Iec, Target::Siemens] {
+        let unexpected = Unexpected::Fault;
+        let options = Options { target, owed: true, retain: true, unexpected, ..Options::default() };
+        check_snapshot(&format!("{}_owed_retain", target.name()), &written(&talking_lamp(), &options));
+        let templates = st::templates(&talking_lamp(), &options).expect("it fits");
+        let [template] = &templates[..] else { panic!("{templates:?}") };
+        lint(&template.text);
+        check_snapshot(&format!("{}_secondary", target.name()), &template.text);
+    }
+}
+
+/// Names of events that are those of a template's own variables.
+#[test]
+fn templates_keep_names_apart() {
+    let mut tables = talking_lamp();
+    for name in
+        ["command", "doing", "done", "reset", "timeout", "lamp_control_lit_owed", "lamp_control_lit_timer"]
+    {
+        let mut event = event(name);
+        event.sender = "lamp".to_owned();
+        tables.events.push(EventTable { event, mapping: Mapping::default() });
+    }
+    let template = &st::templates(&tables, &Options::default()).expect("it fits")[0];
+    lint(&template.text);
+    let text = without_comments(&template.text);
+    let mut declared: Vec<String> =
+        text.lines().filter_map(|line| Some(line.split_once(" : ")?.0.trim().to_ascii_uppercase())).collect();
+    declared.sort();
+    let count = declared.len();
+    declared.dedup();
+    assert_eq!((declared.len(), count), (5 + 4 * 9, count), "{}", template.text);
+    for (_, input) in &st::names(&tables, &Options::default()).events[2..] {
+        assert!(text.contains(&format!("  {input} : BOOL;")), "{input}");
     }
 }
 
@@ -144,23 +200,34 @@ fn snapshots() {
 fn to_generate_again_the_options_are_named() {
     let (trigger, integers, unexpected) = (Trigger::Level, Integers::Signed, Unexpected::Fault);
     let encoding = Encoding::Rows;
-    let options = Options { target: Target::Siemens, trigger, integers, drain: true, unexpected, encoding };
-    let flat = |options| written(&lamp(), options).replace(" *)\n(* ", " ");
-    assert!(flat(&options).contains(
-        "sml export specs/lamp.sml --target siemens --trigger level --integers signed --drain --unexpected fault --encoding rows"
+    let (target, drain, owed, retain) = (Target::Siemens, true, true, true);
+    let options = Options { target, trigger, integers, drain, unexpected, encoding, owed, retain };
+    let mut tables = lamp();
+    tables.provenance.options = " --minimize none".to_owned();
+    assert!(written(&tables, &options).replace(" *)\n(* ", " ").contains(
+        "sml export specs/lamp.sml --target siemens --trigger level --integers signed --drain --unexpected fault \
+         --encoding rows --owed --retain --minimize none"
     ));
     assert!(written(&lamp(), &Options::default()).contains("sml export specs/lamp.sml --target iec *)"));
 }
 
 #[test]
 fn long_names_make_no_long_lines() {
-    let mut tables = lamp();
+    let mut tables = talking_lamp();
     tables.specification = "Specification".repeat(8);
     tables.components[0].object = "component".repeat(8);
+    tables.events[3].event.sender = "component".repeat(8);
+    tables.events[3].event.text = "component".repeat(20);
     tables.events[0].event = event(&"eventOfTheEnvironment".repeat(8));
     for target in Target::ALL {
         for drain in [false, true] {
-            lint(&written(&tables, &Options { target, drain, ..Options::default() }));
+            let options = Options { target, drain, owed: true, retain: true, ..Options::default() };
+            lint(&written(&tables, &options));
+            for template in st::templates(&tables, &options).expect("it fits") {
+                lint(&template.text);
+                assert!(template.file.len() <= 63 + ".scl".len());
+                assert_eq!(template.stale(&template.text), None);
+            }
         }
     }
 }
@@ -190,8 +257,8 @@ fn interface() {
 fn name_map() {
     let names = st::names(&lamp(), &Options::default());
     assert_eq!(
-        (names.target, &*names.function_block, &*names.program, &*names.state),
-        ("iec", "Lamp_Controller", "Lamp_Main", "state_no")
+        (names.target, &*names.function_block, &*names.program, &*names.state, &*names.owed),
+        ("iec", "Lamp_Controller", "Lamp_Main", "state_no", "owed")
     );
     let text = |name: &str| name.to_owned();
     assert_eq!(
@@ -206,6 +273,8 @@ fn name_map() {
         [st::ComponentNames {
             object: text("lamp"),
             output: text("lamp_cmd"),
+            secondary: text("Lamp_lamp"),
+            file: text("Lamp_lamp.st"),
             codes: vec![(text("control -> lamp.off()"), 1), (text("control -> lamp.on()"), 2)],
         }]
     );
@@ -281,11 +350,12 @@ fn comments_hold_any_text() {
         scenario: "Light.On".to_owned(),
         kind: "guarantee",
         text: vec!["a *) b (* c (*) http://x ".repeat(20), "x".repeat(300)],
+        file: "specs/lamp.sml".to_owned(),
         line: 7,
     }];
     let text = written(&tables, &Options::default());
     lint(&text);
-    assert!(text.contains("guarantee Light.On, line 7"));
+    assert!(text.contains("guarantee Light.On, specs/lamp.sml:7"));
 }
 
 #[test]

@@ -121,6 +121,7 @@ mod tests {
             scenario: "Line.Deliver".into(),
             kind: "guarantee",
             text: lines.iter().map(|&line| line.to_owned()).collect(),
+            file: "specs/line.sml".into(),
             line: 7,
         };
         let mut text = String::new();

@@ -4,9 +4,10 @@ use super::dialect::Dialect;
 use super::integer::{Integer, Types};
 use super::layout::Layout;
 use super::names::{EventNames, Names, OutputNames, STATE_NO};
+use super::owed::{OWED, Owed};
 use super::unit::{Declarations, Kind, Section, Type, Unit};
 use super::writer::Writer;
-use super::{Options, Trigger, Unexpected, Unfit, fit};
+use super::{Options, Trigger, Unexpected, Unfit, fit, retain};
 use crate::controller::runs::Runs;
 use crate::controller::tables::{Mapping, Tables};
 
@@ -27,7 +28,7 @@ impl<'a> Block<'a> {
         fit::check(tables, options)?;
         let runs = Runs::of(tables);
         let layout = options.target.dialect().layout(options.encoding);
-        let types = Types::of(tables, options.integers, layout.largest_index(tables, &runs))?;
+        let types = Types::of(tables, options, layout.largest_index(tables, &runs))?;
         Ok(Block { tables, options, names: Names::new(tables, options.target), types, runs })
     }
 }
@@ -39,7 +40,11 @@ impl Block<'_> {
         let mut declarations = Declarations::default();
         self.interface(&mut declarations, true);
         layout.tables(&mut declarations, self);
-        declarations.section("VAR", |out| self.variables(out));
+        if let Some(owed) = self.owed() {
+            let constants = self.dialect().frame.constants();
+            declarations.section(constants, |out| owed.tables(out, self.types.owed));
+        }
+        self.variables(&mut declarations);
         let mut units = layout.functions(self);
         units.push(Unit {
             comment: None,
@@ -81,6 +86,11 @@ impl Block<'_> {
         self.options.drain && self.has_super_steps()
     }
 
+    /// What the environment owes, if somebody wants to know and it ever owes something.
+    pub(super) fn owed(&self) -> Option<Owed> {
+        self.options.owed.then(|| Owed::new(&self.tables.owed)).filter(|owed| !owed.is_empty())
+    }
+
     /// Per component its names and the type of its codes.
     pub(super) fn components(&self) -> impl Iterator<Item = (&OutputNames, Integer)> {
         self.names.components.iter().zip(self.types.codes.iter().copied())
@@ -96,7 +106,7 @@ impl Block<'_> {
         Type::array(self.last_event(), "BOOL")
     }
 
-    fn events_type(&self) -> Type {
+    pub(super) fn events_type(&self) -> Type {
         self.dialect().frame.events_type(&self.names, self.events_array())
     }
 
@@ -121,27 +131,56 @@ impl Block<'_> {
             out.variable("pending", self.events_type());
             out.variable("unexpected", "BOOL");
             out.variable("overrun", "BOOL");
+            if self.options.owed {
+                out.variable(OWED, self.events_type());
+            }
         });
     }
 
-    fn variables(&self, out: &mut Section) {
-        out.initialized("state", self.types.state, self.tables.initial);
-        if !self.names.events.is_empty() {
-            out.variable("raised", self.events_type());
-            if self.options.trigger == Trigger::Edge {
-                out.variable("previous", self.events_type());
+    fn variables(&self, out: &mut Declarations) {
+        if self.options.retain {
+            out.section("VAR RETAIN", |out| {
+                retain::variables(out, self);
+                self.memory(out);
+            });
+            if !self.has_variables() {
+                return;
             }
-            out.variable("index", self.types.index);
         }
-        self.layout().variables(out, self);
-        if self.has_rows() {
-            out.variable("changed", "BOOL");
-        }
-        if self.has_super_steps() {
-            out.variable("due", "BOOL");
-        }
-        if self.drains() {
-            out.variable("done", "BOOL");
+        out.section("VAR", |out| {
+            if !self.options.retain {
+                self.memory(out);
+            }
+            if !self.names.events.is_empty() {
+                out.variable("raised", self.events_type());
+                out.variable("index", self.types.index);
+            }
+            self.layout().variables(out, self);
+            if self.has_rows() {
+                out.variable("changed", "BOOL");
+            }
+            if self.has_super_steps() {
+                out.variable("due", "BOOL");
+            }
+            if self.drains() {
+                out.variable("done", "BOOL");
+            }
+            if self.owed().is_some() {
+                out.variable("owed_row", self.types.owed);
+            }
+        });
+    }
+
+    /// Whether there are variables beside those that last from call to call.
+    fn has_variables(&self) -> bool {
+        !self.names.events.is_empty() || self.has_super_steps()
+    }
+
+    /// The variables that last from call to call.
+    fn memory(&self, out: &mut Section) {
+        out.initialized("state", self.types.state, self.tables.initial);
+        if self.options.trigger == Trigger::Edge && !self.names.events.is_empty() {
+            out.variable("previous", self.events_type());
         }
     }
 
@@ -159,10 +198,13 @@ impl Block<'_> {
             out.code(format_args!("#raised[{index}] := #{};", event.input));
         }
         out.gap();
+        if self.options.retain {
+            retain::restore(out, self);
+        }
         out.code("IF #reset THEN");
         out.indented(|out| self.reset(out));
         // A controller without any event or super step has nothing to do.
-        if !self.names.events.is_empty() || self.has_super_steps() {
+        if self.has_variables() {
             out.code(if faults { "ELSIF #enable AND NOT #unexpected THEN" } else { "ELSIF #enable THEN" });
             out.indented(|out| self.run(out));
         }
@@ -172,6 +214,12 @@ impl Block<'_> {
         }
         let state = self.types.state.converted(self.types.state_no, "#state");
         out.code(format_args!("#{STATE_NO} := {state};"));
+        if let Some(owed) = self.owed() {
+            owed.update(out, self);
+        }
+        if self.options.retain {
+            retain::keep(out, self);
+        }
     }
 
     fn reset(&self, out: &mut Writer) {
@@ -182,7 +230,7 @@ impl Block<'_> {
         self.for_each_event(out, |out| out.code("#pending[#index] := FALSE;"));
     }
 
-    fn for_each_event(&self, out: &mut Writer, inside: impl FnOnce(&mut Writer)) {
+    pub(super) fn for_each_event(&self, out: &mut Writer, inside: impl FnOnce(&mut Writer)) {
         if !self.names.events.is_empty() {
             out.code(format_args!("FOR #index := 0 TO {} DO", self.last_event()));
             out.indented(inside);

@@ -7,7 +7,7 @@
 use std::ops::{Add, AddAssign, Mul};
 
 use super::block::Block;
-use super::{Trigger, Unexpected};
+use super::{Trigger, Unexpected, retain};
 use crate::controller::tables::Tables;
 
 /// Costs of a piece of text.
@@ -93,7 +93,9 @@ pub(super) struct LayoutCost {
 
 /// What one call costs at most: a cycle, or a drain if `options.drain`.
 pub(super) fn call(block: &Block<'_>) -> Cost {
-    frame(block) + run(block).max(reset(block))
+    let owed = block.owed().map_or(Cost::default(), |owed| owed.cost() + each_event(block, 1));
+    let kept = if block.options.retain { retain::cost(block) } else { Cost::default() };
+    frame(block) + kept + run(block).max(reset(block)) + owed
 }
 
 /// A call that runs.
@@ -155,7 +157,7 @@ fn refuse(block: &Block<'_>) -> Cost {
 }
 
 /// A loop over the events.
-fn each_event(block: &Block<'_>, statements: u64) -> Cost {
+pub(super) fn each_event(block: &Block<'_>, statements: u64) -> Cost {
     let events = block.names.events.len() as u64;
     let enters = u64::from(events > 0);
     Cost { statements: enters + statements * events, iterations: events, probes: 0 }

@@ -4,7 +4,7 @@ use super::block::Block;
 use super::names::{NameMap, STATE_NO};
 use super::writer::Writer;
 use super::{Encoding, Integers, Options, Trigger, Unexpected, bound};
-use crate::controller::tables::{FORMAT_VERSION, Tables};
+use crate::controller::tables::{FORMAT_VERSION, Requirement, Tables};
 
 /// What stands at the top, a line each; empty ones part paragraphs.
 #[derive(Default)]
@@ -57,9 +57,10 @@ fn origin(out: &mut Header, block: &Block<'_>, target: &str, notes: &[&str]) {
     out.comment(&format!("Generator: sml {version}, table format {FORMAT_VERSION}"));
     out.comment(&format!("Specification: {}, input hash {}", provenance.file, provenance.hash));
     out.comment(&format!(
-        "To generate it again: sml export {}{}",
+        "To generate it again: sml export {}{}{}",
         provenance.file,
-        arguments(target, block.options)
+        arguments(target, block.options),
+        provenance.options
     ));
     for note in notes {
         out.comment(note);
@@ -87,6 +88,8 @@ fn arguments(target: &str, options: &Options) -> String {
         Encoding::Runs => "",
         Encoding::Rows => " --encoding rows",
     };
+    arguments += if options.owed { " --owed" } else { "" };
+    arguments += if options.retain { " --retain" } else { "" };
     arguments
 }
 
@@ -118,6 +121,14 @@ fn behaviour(out: &mut Header, options: &Options) {
     out.comment(
         "Events raised in a call with enable FALSE or reset TRUE are lost. reset leads to the initial state, enabled or not.",
     );
+    if options.owed {
+        out.comment("owed tells which events the assumptions promise in the state, in the order of pending. No safety function.");
+    }
+    if options.retain {
+        out.comment(
+            "State and pending events survive a power cycle if the tables are the same afterwards (retain).",
+        );
+    }
     if options.integers == Integers::Signed {
         out.comment("No unsigned integer types are used (integers: signed).");
     }
@@ -150,7 +161,8 @@ fn requirements(out: &mut Header, tables: &Tables) {
     }
     out.comment("Requirements:");
     for requirement in requirements {
-        out.comment(&format!("  {} {}, line {}", requirement.kind, requirement.scenario, requirement.line));
+        let Requirement { kind, scenario, file, line, .. } = requirement;
+        out.comment(&format!("  {kind} {scenario}, {file}:{line}"));
         for line in &requirement.text {
             out.comment(&format!("    {}", line.trim_start()));
         }

@@ -19,6 +19,9 @@
 //! 4. `unexpected` becomes TRUE if the controller then waits for the environment, but something is pending: none
 //!    of it fits the state, nor will it before another event comes. Events pending while a super step is due are
 //!    not unexpected; the next call decides about them.
+//!
+//! With [`Options::retain`] a call begins with what an earlier one kept, or with the initial state if that was one of
+//! other tables.
 
 mod block;
 mod bound;
@@ -28,12 +31,16 @@ mod header;
 mod integer;
 mod layout;
 mod names;
+mod owed;
 #[cfg(feature = "plcopen")]
 pub mod plcopen;
 mod program;
+mod retain;
+mod secondary;
 mod unit;
 mod writer;
 
+use super::template::Template;
 use crate::controller::tables::Tables;
 use block::Block;
 pub use bound::Cost;
@@ -130,6 +137,10 @@ pub struct Options {
     pub unexpected: Unexpected,
     /// How tables hold transitions.
     pub encoding: Encoding,
+    /// There is an output `owed`: which events the environment owes.
+    pub owed: bool,
+    /// State and pending events survive a power cycle.
+    pub retain: bool,
 }
 
 /// The whole text, ending in a newline, deterministic.
@@ -157,6 +168,15 @@ pub fn text(tables: &Tables, options: &Options) -> Result<String, Unfit> {
 /// As [`text`].
 pub fn bound(tables: &Tables, options: &Options) -> Result<Cost, Unfit> {
     Ok(bound::call(&Block::new(tables, options)?))
+}
+
+/// A template of a secondary per component, in order of the objects' names.
+///
+/// # Errors
+///
+/// As [`text`].
+pub fn templates(tables: &Tables, options: &Options) -> Result<Vec<Template>, Unfit> {
+    Ok(secondary::templates(&Block::new(tables, options)?))
 }
 
 /// What events, components and codes are called in [`text`]'s output.

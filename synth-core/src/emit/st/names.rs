@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 
 use super::Target;
 use super::dialect::{IDENTIFIER_LIMIT, Words};
+use super::owed::OWED;
 use crate::controller::tables::Tables;
 use crate::emit::names::identifier;
 
@@ -21,6 +22,8 @@ pub struct NameMap {
     pub program: String,
     /// The output with the number of the state.
     pub state: String,
+    /// What the events that the environment owes are in, if that is asked for.
+    pub owed: String,
     /// Every event's text and input, in table order.
     pub events: Vec<(String, String)>,
     /// In order of the objects' names.
@@ -34,6 +37,10 @@ pub struct ComponentNames {
     pub object: String,
     /// Its output.
     pub output: String,
+    /// Its secondary: the function block of the template, or the trait.
+    pub secondary: String,
+    /// The file of the template, without a folder.
+    pub file: String,
     /// The event text of every command and its code, ascending from 1.
     pub codes: Vec<(String, u32)>,
 }
@@ -47,11 +54,15 @@ impl NameMap {
             function_block: names.function_block.clone(),
             program: names.program.clone(),
             state: STATE_NO.to_owned(),
+            owed: OWED.to_owned(),
             events: events.map(|(table, name)| (table.event.text.clone(), name.input.clone())).collect(),
             components: components
-                .map(|(table, name)| ComponentNames {
+                .zip(&names.secondaries)
+                .map(|((table, name), secondary)| ComponentNames {
                     object: table.object.clone(),
                     output: name.output.clone(),
+                    secondary: secondary.function_block.clone(),
+                    file: secondary.file.clone(),
                     codes: table.commands.iter().map(|command| command.text.clone()).zip(1..).collect(),
                 })
                 .collect(),
@@ -83,7 +94,13 @@ const OWN: &[&str] = &[
     "last",
     "last_row",
     "middle",
+    "kept",
     "next",
+    "owed",
+    "owed_event",
+    "owed_first",
+    "owed_row",
+    "owed_set",
     "previous",
     "raised",
     "row",
@@ -91,6 +108,8 @@ const OWN: &[&str] = &[
     "run_state",
     "source",
     "state",
+    "stopped",
+    "table_version",
     "target",
     "Config0",
     "Res0",
@@ -115,6 +134,17 @@ pub(super) struct OutputNames {
     pub(super) codes: String,
 }
 
+/// The names of a component's secondary.
+#[derive(Debug)]
+pub(super) struct SecondaryNames {
+    /// The template's function block.
+    pub(super) function_block: String,
+    /// The template's file.
+    pub(super) file: String,
+    /// An instance, in comments.
+    pub(super) instance: String,
+}
+
 /// All identifiers that depend on the controller.
 #[derive(Debug)]
 pub(super) struct Names {
@@ -125,12 +155,14 @@ pub(super) struct Names {
     pub(super) search: String,
     pub(super) events: Vec<EventNames>,
     pub(super) components: Vec<OutputNames>,
+    /// Per component.
+    pub(super) secondaries: Vec<SecondaryNames>,
 }
 
 impl Names {
     /// Names everything: the interface first, so that only internal names give way to it.
     pub(super) fn new(tables: &Tables, target: Target) -> Names {
-        let mut scope = Scope::new(target.dialect().words, IDENTIFIER_LIMIT);
+        let mut scope = Scope::new(target.dialect().words, OWN);
         let specification = identifier(&tables.specification);
         let function_block = scope.claim(&specification, "_Controller");
         let program = scope.claim(&specification, "_Main");
@@ -157,25 +189,36 @@ impl Names {
             })
             .collect();
         let search = scope.claim(&specification, "_BinarySearch");
-        Names { function_block, program, events_type, search, events, components }
+        let secondaries = tables
+            .components
+            .iter()
+            .map(|table| {
+                let object = identifier(&table.object);
+                let function_block = scope.claim(&format!("{specification}_{object}"), "");
+                let file = format!("{function_block}.{}", target.dialect().frame.extension());
+                SecondaryNames { function_block, file, instance: scope.claim(&object, "") }
+            })
+            .collect();
+        Names { function_block, program, events_type, search, events, components, secondaries }
     }
 }
 
 /// The names in use, in capitals.
-struct Scope {
+pub(super) struct Scope {
     used: BTreeSet<String>,
     words: &'static Words,
     limit: usize,
 }
 
 impl Scope {
-    fn new(words: &'static Words, limit: usize) -> Scope {
-        let own = OWN.iter().map(|name| name.to_ascii_uppercase());
-        Scope { used: own.chain(words.iter().map(str::to_owned)).collect(), words, limit }
+    /// A scope of a target with these words, in which some names are used already.
+    pub(super) fn new(words: &'static Words, own: &[&str]) -> Scope {
+        let own = own.iter().map(|name| name.to_ascii_uppercase());
+        Scope { used: own.chain(words.iter().map(str::to_owned)).collect(), words, limit: IDENTIFIER_LIMIT }
     }
 
     /// `base` + `suffix`, shortened to the limit, with `_2`, `_3`, … where that is taken or reserved.
-    fn claim(&mut self, base: &str, suffix: &str) -> String {
+    pub(super) fn claim(&mut self, base: &str, suffix: &str) -> String {
         for number in 1u64.. {
             let tail = if number == 1 { suffix.to_owned() } else { format!("{suffix}_{number}") };
             let name = shortened(base, self.limit - tail.len()) + &tail;
@@ -205,7 +248,7 @@ mod tests {
 
     #[test]
     fn clashes_ignore_case_and_skip_taken_numbers() {
-        let mut scope = Scope::new(Target::Iec.dialect().words, 63);
+        let mut scope = Scope::new(Target::Iec.dialect().words, OWN);
         assert_eq!(scope.claim("a_b", ""), "a_b");
         assert_eq!(scope.claim("a_b_2", ""), "a_b_2");
         assert_eq!(scope.claim("A_B", ""), "A_B_3");
@@ -214,7 +257,7 @@ mod tests {
 
     #[test]
     fn reserved_and_own_words_give_way() {
-        let mut scope = Scope::new(Target::Iec.dialect().words, 63);
+        let mut scope = Scope::new(Target::Iec.dialect().words, OWN);
         assert_eq!(scope.claim("end_if", ""), "end_if_2");
         assert_eq!(scope.claim("Ton", ""), "Ton_2");
         assert_eq!(scope.claim("int_to_real", ""), "int_to_real_2");
@@ -228,7 +271,7 @@ mod tests {
         for target in Target::ALL {
             let words = target.dialect().words;
             assert!(words.iter().count() > 200, "{}", target.name());
-            let mut scope = Scope::new(words, 63);
+            let mut scope = Scope::new(words, OWN);
             let mut given = BTreeSet::new();
             for word in words.iter() {
                 for spelling in [word.to_owned(), word.to_lowercase()] {
@@ -243,7 +286,7 @@ mod tests {
 
     #[test]
     fn words_of_other_targets_are_free() {
-        let name = |target: Target, word: &str| Scope::new(target.dialect().words, 63).claim(word, "");
+        let name = |target: Target, word: &str| Scope::new(target.dialect().words, OWN).claim(word, "");
         for (word, target) in [
             ("persistent", Target::Codesys),
             ("interface", Target::Twincat),
@@ -262,7 +305,7 @@ mod tests {
 
     #[test]
     fn long_names_keep_both_ends() {
-        let mut scope = Scope::new(Target::Iec.dialect().words, 20);
+        let mut scope = Scope { limit: 20, ..Scope::new(Target::Iec.dialect().words, OWN) };
         let long = "feedArm_controller_arrivedAt_press";
         assert_eq!(scope.claim(long, ""), "feedArm_c_edAt_press");
         assert_eq!(scope.claim(long, ""), "feedArm_dAt_press_2");

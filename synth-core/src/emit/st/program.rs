@@ -2,6 +2,7 @@
 
 use super::block::Block;
 use super::names::{Names, STATE_NO};
+use super::owed::OWED;
 use super::unit::{Declarations, Kind, Unit};
 use super::writer::Writer;
 
@@ -24,7 +25,7 @@ pub(super) fn unit<'a>(block: &'a Block<'_>) -> Unit<'a> {
     declarations.section("VAR", |out| out.variable("controller", controller));
     let body = |out: &mut Writer| {
         call(out, names);
-        for output in outputs(names) {
+        for output in outputs(block) {
             out.code_in_parts(&[format!("#{output} :="), format!("#controller.{output};")]);
         }
     };
@@ -45,7 +46,8 @@ fn call(out: &mut Writer, names: &Names) {
     });
 }
 
-fn outputs(names: &Names) -> impl Iterator<Item = &str> {
-    let components = names.components.iter().map(|component| component.output.as_str());
-    components.chain([STATE_NO, "pending", "unexpected", "overrun"])
+fn outputs<'a>(block: &'a Block<'_>) -> impl Iterator<Item = &'a str> {
+    let components = block.names.components.iter().map(|component| component.output.as_str());
+    let owed = block.options.owed.then_some(OWED);
+    components.chain([STATE_NO, "pending", "unexpected", "overrun"]).chain(owed)
 }

@@ -140,6 +140,7 @@ fn documentation_holds_any_text() {
         scenario: "Cell.Hostile".to_owned(),
         kind: "assumption",
         text: vec![hostile.to_owned(), " </p></xhtml></documentation>".to_owned()],
+        file: "specs/cell.sml".to_owned(),
         line: 77,
     });
     let controller = tables::controller(&tables);
@@ -154,8 +155,8 @@ fn documentation_holds_any_text() {
         let told =
             told.and_then(|node| node.first_element_child()).and_then(|text| text.text()).expect("a text");
         for part in [
-            "guarantee Cell.Deliver, line 12\n    Every <blank> [1] is *pressed*,\n",
-            "assumption Cell.Hostile, line 77\n    a ]]> b -- <c> & \"d\" ( * e * ) ",
+            "guarantee Cell.Deliver, specs/smallcell.sml:12\n    Every <blank> [1] is *pressed*,\n",
+            "assumption Cell.Hostile, specs/cell.sml:77\n    a ]]> b -- <c> & \"d\" ( * e * ) ",
             " ä 漢 😀 * )\n    </p></xhtml></documentation>",
             "Codes of arm_cmd",
             "--target plcopen",

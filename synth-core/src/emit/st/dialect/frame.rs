@@ -13,6 +13,9 @@ pub(in crate::emit::st) trait Frame: Sync {
     /// The longest line of numbers, in characters. Nobody reads them, so the fewer lines the better.
     fn numbers_limit(&self) -> usize;
 
+    /// The section of variables that holds arrays that never change.
+    fn constants(&self) -> &'static str;
+
     /// Declares the type of `pending`, an array, if it needs a declaration.
     fn declare_events(&self, out: &mut Writer, names: &Names, array: &Type);
 
@@ -21,6 +24,12 @@ pub(in crate::emit::st) trait Frame: Sync {
 
     /// A function block or program used as a type.
     fn block_type(&self, name: &str) -> Type;
+
+    /// The function block that waits.
+    fn timer(&self) -> &'static str;
+
+    /// How the names of files end.
+    fn extension(&self) -> &'static str;
 
     /// A unit, an empty line last.
     fn unit(&self, out: &mut Writer, unit: &Unit<'_>);
@@ -60,6 +69,10 @@ impl Frame for Standard {
         400
     }
 
+    fn constants(&self) -> &'static str {
+        "VAR CONSTANT"
+    }
+
     fn declare_events(&self, out: &mut Writer, names: &Names, array: &Type) {
         // Strict compilers assign only arrays whose type has a name.
         out.block("TYPE", "END_TYPE", |out| {
@@ -74,6 +87,14 @@ impl Frame for Standard {
 
     fn block_type(&self, name: &str) -> Type {
         Type::Derived(name.to_owned())
+    }
+
+    fn timer(&self) -> &'static str {
+        "TON"
+    }
+
+    fn extension(&self) -> &'static str {
+        "st"
     }
 
     fn unit(&self, out: &mut Writer, unit: &Unit<'_>) {
@@ -121,6 +142,11 @@ impl Frame for Scl {
         200
     }
 
+    // There are no constant arrays.
+    fn constants(&self) -> &'static str {
+        "VAR"
+    }
+
     fn declare_events(&self, _: &mut Writer, _: &Names, _: &Type) {}
 
     fn events_type(&self, _: &Names, array: Type) -> Type {
@@ -129,6 +155,15 @@ impl Frame for Scl {
 
     fn block_type(&self, name: &str) -> Type {
         Type::Derived(quoted(name))
+    }
+
+    fn timer(&self) -> &'static str {
+        "TON_TIME"
+    }
+
+    // External source files of TIA Portal end so.
+    fn extension(&self) -> &'static str {
+        "scl"
     }
 
     fn unit(&self, out: &mut Writer, unit: &Unit<'_>) {
