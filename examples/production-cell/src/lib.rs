@@ -10,10 +10,10 @@ pub mod random;
 
 include!(concat!(env!("OUT_DIR"), "/production_cell.rs"));
 
+use crate::production_cell::{Commands, Controller, DepositArmCommand, Event, FeedArmCommand, PressCommand};
 use controller_template::Observer;
 use monitor::Monitor;
 use plant::Plant;
-use production_cell::{Commands, Controller, DepositArmCommand, Event, FeedArmCommand, PressCommand};
 use random::Random;
 
 /// Items whose story is told in full.
