@@ -9,6 +9,11 @@ pub use cortex_m_rt::entry;
 pub use riscv_rt::entry;
 pub use semihosting::{print, println};
 
+// Their critical sections.
+#[cfg(target_arch = "arm")]
+use cortex_m as _;
+#[cfg(target_arch = "riscv32")]
+use riscv as _;
 use semihosting::process;
 
 /// Ends the program; the emulator exits with 0 if it `succeeded`, else with 1.
