@@ -111,8 +111,8 @@ impl Random {
     }
 }
 
-/// Puts each operation of the generated module's controller in a function that is never inlined, and whose arguments
-/// the optimiser knows nothing of: `measured::cell::cycle` is a name in the program.
+/// Puts each operation of the generated module's controller in a function that is never inlined, and called through a
+/// pointer, so that the optimiser knows nothing of its arguments: `measured::cell::cycle` is a name in the program.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! steps {
@@ -163,19 +163,28 @@ macro_rules! steps {
                 Controller::state(self)
             }
             fn accepts(&self, event: Event) -> bool {
-                black_box(accepts(black_box(self), black_box(event)))
+                black_box(black_box(accepts as fn(&Controller, Event) -> bool)(
+                    black_box(self),
+                    black_box(event),
+                ))
             }
             fn raise(&mut self, event: Event) -> bool {
-                black_box(raise(black_box(self), black_box(event)))
+                black_box(black_box(raise as fn(&mut Controller, Event) -> bool)(
+                    black_box(self),
+                    black_box(event),
+                ))
             }
             fn cycle(&mut self) -> Commands {
-                black_box(cycle(black_box(self)))
+                black_box(black_box(cycle as fn(&mut Controller) -> Commands)(black_box(self)))
             }
             fn drain(&mut self) -> Commands {
-                black_box(drain(black_box(self)))
+                black_box(black_box(drain as fn(&mut Controller) -> Commands)(black_box(self)))
             }
             fn react(&mut self, event: Event) -> Option<Commands> {
-                black_box(react(black_box(self), black_box(event)))
+                black_box(black_box(react as fn(&mut Controller, Event) -> Option<Commands>)(
+                    black_box(self),
+                    black_box(event),
+                ))
             }
         }
     };

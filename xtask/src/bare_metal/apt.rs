@@ -174,7 +174,7 @@ mod tests {
         let text = "Reading package lists...\nNeed to get 2 B\n\
             'http://archive/a_1%253a2_all.deb' a_1%3a2_all.deb 41 SHA256:00\n";
         let package = Package { file: "a_1%3a2_all.deb".to_owned(), bytes: 41 };
-        assert_eq!(files(text), [package.clone()]);
+        assert_eq!(files(text), std::slice::from_ref(&package));
         assert_eq!((package.name(), package.exact().as_str()), ("a", "a=1:2"));
     }
 }

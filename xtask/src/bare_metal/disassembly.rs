@@ -8,9 +8,6 @@ use crate::process;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-/// An instruction: what it does, and the function that it names.
-type Instruction<'t> = (&'t str, Option<&'t str>);
-
 /// Beginnings of the names of functions that stand for instructions which a processor does not have.
 const SUBSTITUTES: &[(&str, &str)] = &[
     ("__aeabi_f", "floating point"),
@@ -31,71 +28,110 @@ const SUBSTITUTES: &[(&str, &str)] = &[
     ("__sync", "an atomic access"),
 ];
 
-/// Reads the functions and all that they call, and returns how many instructions these are.
-pub(crate) fn read(toolchain: &Toolchain, program: &Path, functions: &[&Function]) -> Result<usize> {
+/// Instructions by address: what is done, and with what.
+type Code<'t> = BTreeMap<u64, (&'t str, &'t str)>;
+
+/// Reads each of the `roots` with everything that it calls. Returns the bytes of their code, or fails if something in
+/// it must not be.
+pub(crate) fn read<'f>(
+    toolchain: &Toolchain,
+    program: &Path,
+    functions: &[Function],
+    roots: &[&'f Function],
+) -> Result<BTreeMap<&'f str, u64>> {
     let mut command = toolchain.disassembler();
     command.args(["--disassemble", "--no-show-raw-insn"]).arg(program);
     let text = process::text(&mut command)?;
     let code = parse(&text);
-    let roots = code.keys().copied().filter(|symbol| {
-        let name = format!("{:#}", rustc_demangle::demangle(symbol));
-        functions.iter().any(|function| function.name == name)
-    });
-    judge(&code, roots.collect()).map_err(|why| Failure::new(format!("`{}`: {why}", program.display())))
+    let bytes = roots.iter().map(|root| Ok((root.name.as_str(), judge(&code, functions, root)?)));
+    bytes
+        .collect::<std::result::Result<_, String>>()
+        .map_err(|why| Failure::new(format!("`{}`: {why}", program.display())))
 }
 
-/// Instructions by function: `00000478 <name>:` and then lines `478: push {r4, lr}`.
-fn parse(text: &str) -> BTreeMap<&str, Vec<Instruction<'_>>> {
-    let mut code = BTreeMap::new();
-    let mut current: Option<&mut Vec<Instruction<'_>>> = None;
-    for line in text.lines() {
-        if let Some(name) = line.strip_suffix(">:").and_then(|line| Some(line.split_once(" <")?.1)) {
-            current = Some(code.entry(name).or_default());
-        } else if let (Some(instructions), Some((_, instruction))) = (&mut current, line.split_once(":")) {
-            let mut words = instruction.split_whitespace();
-            let Some(mnemonic) = words.next() else { continue };
-            let names = instruction.rsplit_once('<').and_then(|(_, name)| name.strip_suffix('>'));
-            instructions.push((mnemonic, names.map(|name| name.split("+0x").next().unwrap_or(name))));
-        }
-    }
-    code
+/// Lines such as `478: push {r4, lr}`; data between the functions and the names before them are no instructions.
+fn parse(text: &str) -> Code<'_> {
+    text.lines().filter_map(instruction).collect()
 }
 
-/// Follows calls from the roots.
-fn judge(
-    code: &BTreeMap<&str, Vec<Instruction<'_>>>,
-    roots: Vec<&str>,
-) -> std::result::Result<usize, String> {
-    if roots.is_empty() {
-        return Err("the functions of a step are not there".to_owned());
-    }
-    let mut seen: BTreeSet<&str> = roots.iter().copied().collect();
-    let mut open = roots;
-    let mut count = 0;
-    while let Some(name) = open.pop() {
-        let shown = rustc_demangle::demangle(name);
+fn instruction(line: &str) -> Option<(u64, (&str, &str))> {
+    let (address, instruction) = line.split_once(':')?;
+    let address = u64::from_str_radix(address.trim(), 16).ok()?;
+    let instruction = instruction.trim();
+    let is_data = instruction.starts_with('.') || instruction.contains("\t.");
+    let parts = instruction.split_once(char::is_whitespace).unwrap_or((instruction, ""));
+    (!is_data && !instruction.is_empty()).then_some((address, parts))
+}
+
+/// Bytes of a function and of all that it calls.
+fn judge(code: &Code<'_>, functions: &[Function], root: &Function) -> std::result::Result<u64, String> {
+    let mut seen = BTreeSet::from([root.address]);
+    let mut open = vec![root];
+    let mut bytes = 0;
+    while let Some(function) = open.pop() {
+        let Function { name, address, size } = function;
         if let Some((_, what)) = SUBSTITUTES.iter().find(|(beginning, _)| name.starts_with(beginning)) {
-            return Err(format!("a step calls `{shown}`: {what}"));
+            return Err(format!("`{}` calls `{name}`: {what}", root.name));
         }
-        let instructions =
-            code.get(name).ok_or_else(|| format!("a step calls `{shown}`, which is not there"))?;
-        for &(mnemonic, callee) in instructions {
-            count += 1;
-            if let Some(what) = forbidden(mnemonic, callee) {
-                return Err(format!("`{shown}` has `{mnemonic}`: {what}"));
+        bytes += size;
+        let mut before = None;
+        for (&place, &(mnemonic, operands)) in code.range(*address..address + size) {
+            let target = target(before, mnemonic, operands);
+            if let Some(what) = forbidden(mnemonic, target) {
+                return Err(format!("`{name}` has `{mnemonic} {operands}`: {what}"));
             }
-            if let Some(callee) = callee
-                && seen.insert(callee)
-            {
+            before = Some((place, mnemonic, operands));
+            let Some(target) = target.filter(|target| !(*address..address + size).contains(target)) else {
+                continue;
+            };
+            let around =
+                |function: &&Function| (function.address..function.address + function.size).contains(&target);
+            let callee = functions
+                .iter()
+                .find(around)
+                .ok_or_else(|| format!("`{name}` calls {target:#x}, where no function is"))?;
+            if seen.insert(callee.address) {
                 open.push(callee);
             }
         }
     }
-    Ok(count)
+    Ok(bytes)
+}
+
+/// Where a branch or a call leads: `bl 0x480 <name>`, or `auipc ra, 0` before `jalr -16(ra)`.
+fn target(before: Option<(u64, &str, &str)>, mnemonic: &str, operands: &str) -> Option<u64> {
+    if ["jalr", "jr"].contains(&mnemonic) {
+        let (place, "auipc", upper) = before? else { return None };
+        let (register, upper) = upper.split_once(", ")?;
+        let (offset, inside) = operands.split_once('(')?;
+        let offset = offset.rsplit(' ').next()?;
+        if !inside.starts_with(register) {
+            return None;
+        }
+        // Twenty bits, then twelve with a sign.
+        let upper = number(upper)?.wrapping_shl(12) as u64;
+        let address = place.wrapping_add(upper).wrapping_add(number(offset)? as u64);
+        return Some(address & 0xffff_ffff);
+    }
+    if !mnemonic.starts_with(['b', 'c', 'j']) {
+        return None;
+    }
+    let (address, _) = operands.split_once(" <")?;
+    number(address.rsplit(' ').next()?).map(|address| address as u64)
+}
+
+/// A decimal or hexadecimal number.
+fn number(text: &str) -> Option<i64> {
+    let (sign, text) = text.strip_prefix('-').map_or((1, text), |text| (-1, text));
+    let value = match text.strip_prefix("0x") {
+        Some(digits) => i64::from_str_radix(digits, 16),
+        None => text.parse(),
+    };
+    Some(sign * value.ok()?)
 }
 
 /// What an instruction must not do, on Arm or RISC-V.
-fn forbidden(mnemonic: &str, callee: Option<&str>) -> Option<&'static str> {
+fn forbidden(mnemonic: &str, target: Option<u64>) -> Option<&'static str> {
     let begins = |beginnings: &[&str]| beginnings.iter().any(|beginning| mnemonic.starts_with(beginning));
     if begins(&["ldrex", "strex", "dmb", "lr.", "sc.", "amo", "fence"]) {
         Some("an atomic access")
@@ -103,7 +139,7 @@ fn forbidden(mnemonic: &str, callee: Option<&str>) -> Option<&'static str> {
         Some("a division")
     } else if begins(&["v", "f", "c.f"]) {
         Some("floating point")
-    } else if begins(&["blx", "jalr", "c.jalr"]) && callee.is_none() {
+    } else if ["blx", "jalr", "jr"].contains(&mnemonic) && target.is_none() {
         Some("a call that cannot be followed")
     } else {
         None
@@ -112,34 +148,57 @@ fn forbidden(mnemonic: &str, callee: Option<&str>) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use super::{judge, parse};
+    use super::{Function, judge, parse};
 
     #[track_caller]
-    fn check(text: &str, expect: Result<usize, &str>) {
-        assert_eq!(judge(&parse(text), vec!["step"]), expect.map_err(str::to_owned));
+    fn check(text: &str, expect: Result<u64, &str>) {
+        let function = |name: &str, address, size| Function { name: name.to_owned(), address, size };
+        let functions = [
+            function("step", 0, 8),
+            function("next", 0x10, 4),
+            function("__aeabi_uidiv", 0x20, 4),
+            function("__aeabi_fadd", 0x30, 4),
+        ];
+        assert_eq!(judge(&parse(text), &functions, &functions[0]), expect.map_err(str::to_owned));
     }
 
     #[test]
     fn calls_are_followed() {
-        let helper = "0000a <helper>:\n   a: movs r0, #1\n   c: bx lr\n";
-        check(&format!("00000 <step>:\n   0: bl 0xa <helper>\n   4: bx lr\n\n{helper}"), Ok(4));
-        check("00000 <step>:\n   0: beq 0x4 <step+0x4>\n   4: bx lr\n", Ok(2));
-        check("00000 <step>:\n   0: bl 0xa <helper>\n", Err("a step calls `helper`, which is not there"));
+        let next = "00000010 <next>:\n      10:\tmovs\tr0, #1\n      12:\tbx\tlr\n";
+        check(
+            &format!("00000000 <step>:\n   0:\tbl\t0x10 <next>   @ imm = #12\n   4:\tbx\tlr\n\n{next}"),
+            Ok(12),
+        );
+        check("00000000 <step>:\n   0:\tbeq\t0x4 <step+0x4>\n   4:\tbx\tlr\n", Ok(8));
+        check("00000000 <step>:\n   0:\tcbz\tr0, 0x4 <$t+0x2>\n", Ok(8));
+        check("00000000 <step>:\n   0:\tauipc\tra, 0\n   4:\tjalr\t16(ra)\n", Ok(12));
+        check("00000000 <step>:\n   0:\tb\t0x80 <other>\n", Err("`step` calls 0x80, where no function is"));
+    }
+
+    #[test]
+    fn constants_between_the_functions_are_no_instructions() {
+        check("   0:\tldr\tr0, [pc, #4]    @ 0x80 <$d>\n   4:\t00 00 00 20\t.word\t0x20000000\n", Ok(8));
+        check("   0:\tbx\tlr\n   4:\tfa 00\t.short\t0x00fa\n", Ok(8));
     }
 
     #[test]
     fn what_a_step_must_not_do_is_found() {
-        let step = |instruction: &str| format!("00000 <step>:\n   0: {instruction}\n   4: bx lr\n");
-        check(&step("udiv r0, r1, r2"), Err("`step` has `udiv`: a division"));
-        check(&step("remu a0, a1, a2"), Err("`step` has `remu`: a division"));
-        check(&step("ldrexb r0, [r1]"), Err("`step` has `ldrexb`: an atomic access"));
-        check(&step("amoadd.w a0, a1, (a2)"), Err("`step` has `amoadd.w`: an atomic access"));
-        check(&step("fence rw, rw"), Err("`step` has `fence`: an atomic access"));
-        check(&step("vadd.f32 s0, s1, s2"), Err("`step` has `vadd.f32`: floating point"));
-        check(&step("flw fa0, 0(a0)"), Err("`step` has `flw`: floating point"));
-        check(&step("blx r3"), Err("`step` has `blx`: a call that cannot be followed"));
-        check(&step("bl 0x8 <__aeabi_uidiv>"), Err("a step calls `__aeabi_uidiv`: a division"));
-        check(&step("bl 0x8 <__aeabi_fadd>"), Err("a step calls `__aeabi_fadd`: floating point"));
-        check("00000 <other>:\n   0: bx lr\n", Err("a step calls `step`, which is not there"));
+        let has = |instruction: &str, what: &str| {
+            check(
+                &format!("   0:\t{instruction}\n   4:\tbx\tlr\n"),
+                Err(&format!("`step` has `{instruction}`: {what}")),
+            );
+        };
+        has("udiv r0, r1, r2", "a division");
+        has("remu a0, a1, a2", "a division");
+        has("ldrexb r0, [r1]", "an atomic access");
+        has("amoadd.w a0, a1, (a2)", "an atomic access");
+        has("fence rw, rw", "an atomic access");
+        has("vadd.f32 s0, s1, s2", "floating point");
+        has("flw fa0, 0(a0)", "floating point");
+        has("blx r3", "a call that cannot be followed");
+        has("jalr 0(a0)", "a call that cannot be followed");
+        check("   0:\tbl\t0x20 <__aeabi_uidiv>\n", Err("`step` calls `__aeabi_uidiv`: a division"));
+        check("   0:\tbl\t0x30 <__aeabi_fadd>\n", Err("`step` calls `__aeabi_fadd`: floating point"));
     }
 }

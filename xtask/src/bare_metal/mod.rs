@@ -84,14 +84,12 @@ impl Bench<'_> {
         progress.tell(&format!("{}: building {}", self.target.triple, program.name));
         let file = program.build(self.folders, self.toolchain, self.target)?;
         let (sizes, functions) = elf::read(&file)?;
-        let functions: Vec<Function> = match program.steps {
-            Some(module) => {
-                functions.into_iter().filter(|function| function.name.starts_with(module)).collect()
-            }
+        let steps: Vec<Function> = match program.steps {
+            Some(module) => functions.iter().filter(|function| is_step(function, module)).cloned().collect(),
             None => Vec::new(),
         };
         progress.tell(&format!("{}: running {}", self.target.triple, program.name));
-        let run = emulator::run(self.toolchain, &file, &functions)?;
+        let run = emulator::run(self.toolchain, &file, &steps)?;
         drop(progress);
 
         if let Some(on_host) = program.on_host {
@@ -109,19 +107,25 @@ impl Bench<'_> {
         self.golden.figures(program.name, "size", &sizes.to_string())?;
         let mut said = format!("text {}, data {}, bss {}", sizes.text, sizes.data, sizes.bss);
         if program.steps.is_some() {
-            let mut steps = String::new();
-            for (name, count) in &run.counts {
-                let code = functions.iter().find(|function| function.name == *name);
+            let roots: Vec<&Function> = steps.iter().collect();
+            let code = disassembly::read(self.toolchain, &file, &functions, &roots)?;
+            let mut lines = String::new();
+            for (name, bytes) in code {
+                let count =
+                    run.counts.get(name).ok_or_else(|| Failure::new(format!("`{name}` is not called")))?;
                 let short = name.rsplit("::").next().unwrap_or(name);
-                let _ = writeln!(steps, "{short:8} code {:4}  {count}", code.map_or(0, |code| code.size));
-                let _ = write!(said, "\n    {}", steps.lines().last().unwrap_or_default());
+                let _ = writeln!(lines, "{short:8} code {bytes:4}  {count}");
             }
-            self.golden.figures(program.name, "steps", &steps)?;
-            let roots: Vec<&Function> =
-                functions.iter().filter(|function| run.counts.contains_key(function.name.as_str())).collect();
-            let read = disassembly::read(self.toolchain, &file, &roots)?;
-            let _ = write!(said, "\n    {read} instructions in all: no float, no atomic access, no division");
+            self.golden.figures(program.name, "steps", &lines)?;
+            for line in lines.lines() {
+                let _ = write!(said, "\n    {line}");
+            }
         }
         Ok(said)
     }
+}
+
+/// Whether it is `module::name`.
+fn is_step(function: &Function, module: &str) -> bool {
+    function.name.strip_prefix(module).is_some_and(|name| !name.contains([':', '<']))
 }

@@ -23,6 +23,7 @@ pub(crate) struct Program {
     pub(crate) steps: Option<&'static str>,
 }
 
+const ARM: &[&str] = &["thumb"];
 const EVERY: &[&str] = &["thumb", "riscv32"];
 
 pub(crate) const ALL: &[Program] = &[
@@ -39,6 +40,10 @@ pub(crate) const ALL: &[Program] = &[
         on_host: Some(played::<measured::line::Controller>),
         steps: Some("measured::line::"),
     },
+    Program { name: "interrupts", targets: ARM, on_host: None, steps: None },
+    Program { name: "inline", targets: EVERY, on_host: None, steps: None },
+    Program { name: "embassy-task", targets: ARM, on_host: None, steps: None },
+    Program { name: "rtic-application", targets: &["thumbv7m"], on_host: None, steps: None },
 ];
 
 impl Program {
