@@ -4,7 +4,7 @@
 
 extern crate alloc;
 
-use alloc::{string::String, vec::Vec};
+use alloc::{boxed::Box, string::String, vec::Vec};
 use core::cell::RefCell;
 use core::mem::MaybeUninit;
 use critical_section::Mutex;
@@ -30,8 +30,9 @@ pub fn heap() {
     unsafe { HEAP.init((&raw mut MEMORY) as usize, SIZE) }
 }
 
-/// A plant that an interrupt and the main program reach.
-pub struct Shared(Mutex<RefCell<Option<Plant>>>);
+/// A plant that an interrupt and the main program reach. In a box, since an absent one is all zeros then: what a static
+/// begins with need not be kept in flash.
+pub struct Shared(Mutex<RefCell<Option<Box<Plant>>>>);
 
 impl Shared {
     /// Without a plant; nothing happens until [`begin`](Self::begin).
@@ -43,7 +44,7 @@ impl Shared {
     /// Puts an empty cell there.
     pub fn begin(&self, seed: u64) {
         critical_section::with(|token| {
-            self.0.borrow_ref_mut(token).replace(Plant::new(Random::new(seed)));
+            self.0.borrow_ref_mut(token).replace(Box::new(Plant::new(Random::new(seed))));
         });
     }
 
@@ -70,7 +71,7 @@ impl Shared {
     }
 
     fn with<R>(&self, act: impl FnOnce(&mut Plant) -> R) -> Option<R> {
-        critical_section::with(|token| self.0.borrow_ref_mut(token).as_mut().map(act))
+        critical_section::with(|token| self.0.borrow_ref_mut(token).as_deref_mut().map(act))
     }
 }
 
