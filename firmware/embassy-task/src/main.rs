@@ -9,6 +9,8 @@ use cortex_m_rt::exception;
 use embassy_executor::Executor;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::channel::Channel;
+// Its critical sections stand for compare-and-swap.
+use portable_atomic as _;
 use production_cell::production_cell::{Controller, Event};
 use static_cell::StaticCell;
 

@@ -11,6 +11,8 @@ use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m_rt::exception;
 use critical_section::Mutex;
 use heapless::spsc::{Producer, Queue};
+// Its critical sections stand for compare-and-swap.
+use portable_atomic as _;
 use production_cell::production_cell::{Controller, Event};
 use static_cell::StaticCell;
 

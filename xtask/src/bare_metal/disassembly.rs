@@ -139,7 +139,8 @@ fn forbidden(mnemonic: &str, target: Option<u64>) -> Option<&'static str> {
         Some("a division")
     } else if begins(&["v", "f", "c.f"]) {
         Some("floating point")
-    } else if ["blx", "jalr", "jr"].contains(&mnemonic) && target.is_none() {
+    } else if ["blx", "jalr"].contains(&mnemonic) && target.is_none() {
+        // A `jr` alone, or a load of the program counter, is a jump through a table, which stays in its function.
         Some("a call that cannot be followed")
     } else {
         None
@@ -198,6 +199,7 @@ mod tests {
         has("flw fa0, 0(a0)", "floating point");
         has("blx r3", "a call that cannot be followed");
         has("jalr 0(a0)", "a call that cannot be followed");
+        check("   0:\tjr\ta0\n", Ok(8));
         check("   0:\tbl\t0x20 <__aeabi_uidiv>\n", Err("`step` calls `__aeabi_uidiv`: a division"));
         check("   0:\tbl\t0x30 <__aeabi_fadd>\n", Err("`step` calls `__aeabi_fadd`: floating point"));
     }

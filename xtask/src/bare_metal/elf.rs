@@ -45,6 +45,10 @@ pub(crate) fn read(path: &Path) -> Result<(Sizes, Vec<Function>)> {
         if sh_flags.0 & elf::SHF_ALLOC.0 == 0 {
             continue;
         }
+        // The rest of RAM, whatever is left.
+        if section.name().is_ok_and(|name| [".stack", ".heap"].contains(&name)) {
+            continue;
+        }
         let part = match section.kind() {
             SectionKind::UninitializedData => &mut sizes.bss,
             _ if sh_flags.0 & elf::SHF_WRITE.0 == 0 => &mut sizes.text,
