@@ -6,6 +6,7 @@ mod count;
 mod disassembly;
 mod elf;
 mod emulator;
+mod figures;
 mod folders;
 mod golden;
 mod panics;
@@ -64,6 +65,9 @@ pub(crate) fn test(targets: &[&'static Target], bless: bool) -> Result<()> {
             judge(program.name, bench.test(program));
         }
         judge("panics", panics::prove(&folders, &toolchain).map(|()| "none can be reached".to_owned()));
+    }
+    if bless && failed == 0 {
+        figures::write(&folders)?;
     }
     println!("{passed} passed, {failed} failed");
     if failed == 0 { Ok(()) } else { Err(Failure::new("not every program is as expected")) }
