@@ -32,6 +32,13 @@ impl Package {
 /// Unpacks `names`, and what they depend on that this system does not have, from `packages` into `root`. Says whether
 /// anything was unpacked; what is there in the right version is left alone.
 pub(crate) fn unpack(names: &[&str], packages: &Path, root: &Path) -> Result<bool> {
+    if ["apt-get", "apt-cache", "dpkg-deb"].into_iter().any(|tool| process::find(tool).is_none()) {
+        let missing = names.join(", ");
+        return Err(Failure::new(format!(
+            "missing are {missing}, and this system has no packages of Debian"
+        ))
+        .help("add the target with `rustup target add`, and install QEMU and LLVM"));
+    }
     let wanted = resolve(names)?;
     let list = root.join("unpacked");
     let old: BTreeSet<String> =
