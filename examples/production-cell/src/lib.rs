@@ -3,6 +3,11 @@
 //!
 //! [`run`] takes anything that [`Controls`] the cell. The generated [`Controller`] does, and
 //! so does the same controller in another language, if a program runs it.
+//!
+//! `no_std` with `alloc`, so that the whole cell also runs on a microcontroller.
+#![no_std]
+
+extern crate alloc;
 
 pub mod monitor;
 pub mod plant;
@@ -11,6 +16,7 @@ pub mod random;
 include!(concat!(env!("OUT_DIR"), "/production_cell.rs"));
 
 use crate::production_cell::{Commands, Controller, DepositArmCommand, Event, FeedArmCommand, PressCommand};
+use alloc::{borrow::ToOwned, format, string::String, vec::Vec};
 use controller_template::Observer;
 use monitor::Monitor;
 use plant::Plant;
@@ -55,8 +61,8 @@ pub struct Report {
     pub violations: Vec<String>,
 }
 
-impl std::fmt::Display for Report {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for Report {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let Report { items, cycles, events, commands, together, violations } = self;
         writeln!(f, "{items} items pressed and delivered in {cycles} cycles")?;
         writeln!(f, "{events} events consumed, {commands} commands issued")?;

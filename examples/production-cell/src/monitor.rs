@@ -3,6 +3,8 @@
 //! It keeps its own picture of the cell and a list of duties. A command must be a duty that is possible now; and
 //! before the next event no duty that is possible may be left.
 
+use alloc::{format, string::String, vec::Vec};
+
 use crate::production_cell::{Commands, DepositArmCommand, Event, FeedArmCommand, PressCommand};
 
 /// What the controller has to command, once it is possible.

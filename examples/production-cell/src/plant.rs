@@ -1,6 +1,8 @@
 //! The plant: two arms, a press and a belt on which blanks arrive. Every action takes a random number of cycles, and
 //! what must not happen to steel is an accident.
 
+use alloc::{borrow::ToOwned, format, string::String, vec::Vec};
+
 use crate::production_cell::{DepositArm, Event, FeedArm, Press};
 use crate::random::Random;
 
@@ -166,7 +168,7 @@ impl Plant {
 
     /// Accidents since the last call.
     pub fn accidents(&mut self) -> Vec<String> {
-        let mut all = std::mem::take(&mut self.accidents);
+        let mut all = core::mem::take(&mut self.accidents);
         for worker in [&mut self.feed_arm.0.worker, &mut self.deposit_arm.0.worker, &mut self.press.worker] {
             all.append(&mut worker.accidents);
         }

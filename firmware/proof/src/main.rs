@@ -1,0 +1,33 @@
+//! Calls every operation of two controllers for ever. Panics call a function that is defined nowhere, so that this links
+//! only if no operation can panic; with the feature `control` one can, and it must not link.
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+use measured::{Steps, cell, line};
+
+#[board::entry]
+fn main() -> ! {
+    let mut cell = cell::Controller::new();
+    let mut line = line::Controller::new();
+    loop {
+        call(&mut cell, black_box(cell::Event::FeedBeltControllerBlankArrived));
+        call(&mut line, black_box(LINE));
+        #[cfg(feature = "control")]
+        black_box(TABLE[black_box(cell.state() as usize)]);
+    }
+}
+
+const LINE: line::Event = line::Event::ALL[0];
+
+#[cfg(feature = "control")]
+static TABLE: [u8; 3] = [1, 2, 3];
+
+fn call<C: Steps>(controller: &mut C, event: C::Event) {
+    black_box(controller.accepts(event));
+    black_box(controller.raise(event));
+    black_box(controller.cycle());
+    black_box(controller.drain());
+    black_box(controller.react(event));
+    black_box(controller.state());
+}

@@ -1,0 +1,57 @@
+//! Where everything is.
+
+use std::env;
+use std::path::{Path, PathBuf};
+
+/// The repository, and the folder of all that is fetched and built for bare metal.
+pub(crate) struct Folders {
+    /// The repository's root.
+    pub(crate) repository: PathBuf,
+    /// `bare-metal` in Cargo's target folder.
+    home: PathBuf,
+}
+
+impl Folders {
+    pub(crate) fn new() -> Self {
+        let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let repository = package.parent().unwrap_or(package).to_owned();
+        let built = env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), PathBuf::from);
+        // Cargo takes a relative one from the current folder, too.
+        let built = if env::var_os("CARGO_TARGET_DIR").is_some() {
+            env::current_dir().unwrap_or_default().join(built)
+        } else {
+            repository.join(built)
+        };
+        Folders { home: built.join("bare-metal"), repository }
+    }
+
+    /// The workspace of the programs.
+    pub(crate) fn firmware(&self) -> PathBuf {
+        self.repository.join("firmware")
+    }
+
+    /// Golden files.
+    pub(crate) fn expected(&self) -> PathBuf {
+        self.firmware().join("expected")
+    }
+
+    /// Packages on their way.
+    pub(crate) fn packages(&self) -> PathBuf {
+        self.home.join("packages")
+    }
+
+    /// What was unpacked: a `/usr` and a `/lib` of their own.
+    pub(crate) fn root(&self) -> PathBuf {
+        self.home.join("root")
+    }
+
+    /// The empty crate with which `core` is compiled.
+    pub(crate) fn core(&self) -> PathBuf {
+        self.home.join("core")
+    }
+
+    /// Cargo's target folder of the programs.
+    pub(crate) fn build(&self) -> PathBuf {
+        self.home.join("build")
+    }
+}
