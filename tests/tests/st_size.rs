@@ -1,7 +1,9 @@
 //! How large the Structured Text of a controller is, what a call of it costs at most, and how long writing it takes.
 //!
-//! `cargo test --release -p sml-tests --test st_size -- --nocapture` prints the tables.
+//! `cargo test --release -p sml-tests --test st_size -- --nocapture` prints the tables; the README has the sizes in short.
 
+use std::fs;
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 use sml_tests::tables::{self, Size};
@@ -53,23 +55,18 @@ fn synthesized(name: &str) -> Controller {
     synthesize(&mut solved, &options, &mut Timings::default()).expect("it is realizable").controller
 }
 
-/// The controllers in the table, not minimised and minimised.
-fn controllers() -> Vec<(String, Tables)> {
-    let all = [
+/// The controllers in the tables, not minimised.
+fn controllers() -> [(&'static str, Controller); 4] {
+    [
         ("published size, structure of a machine", published::machine(1)),
         ("published size, at random", published::random(1)),
         ("line of two presses", synthesized("line_2")),
         ("production cell", synthesized("production_cell")),
-    ];
-    let mut named = Vec::new();
-    for (name, controller) in all {
-        let minimized = minimize(&controller, Level::Exact);
-        for (how, controller) in [("", controller), (", minimised", minimized)] {
-            let tables = Tables::new("Published", &number(controller), Provenance::default());
-            named.push((format!("{name}{how}"), tables));
-        }
-    }
-    named
+    ]
+}
+
+fn laid_out(controller: Controller) -> Tables {
+    Tables::new("Published", &number(controller), Provenance::default())
 }
 
 fn transitions(tables: &Tables) -> usize {
@@ -86,22 +83,75 @@ fn cost(tables: &Tables, options: Options, drain: bool) -> String {
 
 #[test]
 fn report() {
-    for (name, tables) in controllers() {
-        println!("\n{name}: {} states, {} transitions", tables.states, transitions(&tables));
-        println!("                               bytes per  a cycle at most:      a drain at most:");
-        println!("target          lines   bytes transition  statem. iterat. probes  the same");
-        for (way, options) in ways() {
-            let Extent { lines, bytes } = extent(&st::text(&tables, &options).expect("it fits"));
-            let each = bytes as f64 / transitions(&tables) as f64;
-            let [cycle, drain] = [false, true].map(|drain| cost(&tables, options, drain));
-            println!("{way:14} {lines:6} {bytes:7}     {each:6.1}  {cycle}  {drain}");
+    for (name, controller) in controllers() {
+        let minimized = minimize(&controller, Level::Exact);
+        report_of(name, &laid_out(controller));
+        report_of(&format!("{name}, minimised"), &laid_out(minimized));
+    }
+}
+
+fn report_of(name: &str, tables: &Tables) {
+    println!("\n{name}: {} states, {} transitions", tables.states, transitions(tables));
+    println!("                               bytes per  a cycle at most:      a drain at most:");
+    println!("target          lines   bytes transition  statem. iterat. probes  the same");
+    for (way, options) in ways() {
+        let Extent { lines, bytes } = extent(&st::text(tables, &options).expect("it fits"));
+        let each = bytes as f64 / transitions(tables) as f64;
+        let [cycle, drain] = [false, true].map(|drain| cost(tables, options, drain));
+        println!("{way:14} {lines:6} {bytes:7}     {each:6.1}  {cycle}  {drain}");
+    }
+    if name.starts_with("published") {
+        for (way, Extent { lines, bytes }) in PUBLISHED {
+            let each = bytes as f64 / f64::from(published::TRANSITIONS);
+            println!("{way:14} {lines:6} {bytes:7}     {each:6.1}  as published");
         }
-        if name.starts_with("published") {
-            for (way, Extent { lines, bytes }) in PUBLISHED {
-                let each = bytes as f64 / f64::from(published::TRANSITIONS);
-                println!("{way:14} {lines:6} {bytes:7}     {each:6.1}  as published");
-            }
-        }
+    }
+}
+
+const HEADING: &str =
+    "| target | published | line of robots | at random | line with 2 presses | production cell |";
+
+/// The sizes as the README has them, a row for every target, and the published encoding for `iec`.
+fn table() -> String {
+    let [machine, random, line, cell] = controllers().map(|(_, controller)| laid_out(controller));
+    let mut table = format!("{HEADING}\n|---|---|---|---|---|---|\n");
+    let is_in_it = |options: &Options| options.encoding != Encoding::Rows || options.target == Target::Iec;
+    for (way, options) in ways().into_iter().filter(|(_, options)| is_in_it(options)) {
+        let way = way.replace(" rows", " --encoding rows");
+        let published = PUBLISHED.iter().find(|(target, _)| *target == way).map(|(_, extent)| *extent);
+        let sizes = [&machine, &random, &line, &cell]
+            .map(|tables| extent(&st::text(tables, &options).expect("it fits")));
+        let cells = std::iter::once(published).chain(sizes.map(Some)).map(|extent| {
+            extent.map_or_else(
+                || " ".to_owned(),
+                |Extent { lines, bytes }| format!(" {}, {} ", grouped(lines), grouped(bytes)),
+            )
+        });
+        table += &format!("| `{way}` |{}|\n", cells.collect::<Vec<_>>().join("|"));
+    }
+    table
+}
+
+/// `1,234,567`
+fn grouped(number: usize) -> String {
+    match number {
+        0..1000 => number.to_string(),
+        _ => format!("{},{:03}", grouped(number / 1000), number % 1000),
+    }
+}
+
+/// With `SML_BLESS` the README's table is written anew.
+#[test]
+fn the_readme_has_these_sizes() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");
+    let readme = fs::read_to_string(&path).expect("the README");
+    let table = table();
+    let start = readme.find(HEADING).expect("the README has the table");
+    let end = start + readme[start..].find("\n\n").expect("text follows the table") + 1;
+    if std::env::var_os("SML_BLESS").is_some() {
+        fs::write(&path, format!("{}{table}{}", &readme[..start], &readme[end..])).expect("written");
+    } else {
+        assert_eq!(readme[start..end], table, "SML_BLESS=1 cargo test -p sml-tests --test st_size");
     }
 }
 
@@ -118,7 +168,7 @@ const LIMITS: [(Target, [(usize, usize); 2]); 5] = [
 #[test]
 fn texts_of_the_published_size_do_not_grow() {
     for (make, controller) in [published::machine(1), published::random(1)].into_iter().enumerate() {
-        let tables = Tables::new("Published", &number(controller), Provenance::default());
+        let tables = laid_out(controller);
         for (target, limits) in LIMITS {
             let text = st::text(&tables, &Options { target, ..Options::default() }).expect("it fits");
             let Extent { lines, bytes } = extent(&text);
