@@ -18,6 +18,8 @@ pub(super) struct Block<'a> {
     pub(super) names: Names,
     pub(super) types: Types,
     pub(super) runs: Runs,
+    /// What the environment owes, if somebody wants to know and it ever owes something.
+    pub(super) owed: Option<Owed>,
 }
 
 impl<'a> Block<'a> {
@@ -28,8 +30,9 @@ impl<'a> Block<'a> {
         fit::check(tables, options)?;
         let runs = Runs::of(tables);
         let layout = options.target.dialect().layout(options.encoding);
-        let types = Types::of(tables, options, layout.largest_index(tables, &runs))?;
-        Ok(Block { tables, options, names: Names::new(tables, options.target), types, runs })
+        let owed = options.owed.then(|| Owed::new(&tables.owed)).filter(|owed| !owed.is_empty());
+        let types = Types::of(tables, options.integers, layout.largest_index(tables, &runs), owed.as_ref())?;
+        Ok(Block { tables, options, names: Names::new(tables, options.target), types, runs, owed })
     }
 }
 
@@ -40,7 +43,7 @@ impl Block<'_> {
         let mut declarations = Declarations::default();
         self.interface(&mut declarations, true);
         layout.tables(&mut declarations, self);
-        if let Some(owed) = self.owed() {
+        if let Some(owed) = &self.owed {
             let constants = self.dialect().frame.constants();
             declarations.section(constants, |out| owed.tables(out, self.types.owed));
         }
@@ -84,11 +87,6 @@ impl Block<'_> {
     /// A drain without super steps is one cycle.
     pub(super) fn drains(&self) -> bool {
         self.options.drain && self.has_super_steps()
-    }
-
-    /// What the environment owes, if somebody wants to know and it ever owes something.
-    pub(super) fn owed(&self) -> Option<Owed> {
-        self.options.owed.then(|| Owed::new(&self.tables.owed)).filter(|owed| !owed.is_empty())
     }
 
     /// Per component its names and the type of its codes.
@@ -165,7 +163,7 @@ impl Block<'_> {
             if self.drains() {
                 out.variable("done", "BOOL");
             }
-            if self.owed().is_some() {
+            if self.owed.is_some() {
                 out.variable("owed_row", self.types.owed);
             }
         });
@@ -214,7 +212,7 @@ impl Block<'_> {
         }
         let state = self.types.state.converted(self.types.state_no, "#state");
         out.code(format_args!("#{STATE_NO} := {state};"));
-        if let Some(owed) = self.owed() {
+        if let Some(owed) = &self.owed {
             owed.update(out, self);
         }
         if self.options.retain {

@@ -25,9 +25,7 @@ impl Cost {
     pub(super) fn statements(statements: u64) -> Cost {
         Cost { statements, ..Cost::default() }
     }
-}
 
-impl Cost {
     /// The greater of each.
     fn max(self, other: Cost) -> Cost {
         Cost {
@@ -93,7 +91,7 @@ pub(super) struct LayoutCost {
 
 /// What one call costs at most: a cycle, or a drain if `options.drain`.
 pub(super) fn call(block: &Block<'_>) -> Cost {
-    let owed = block.owed().map_or(Cost::default(), |owed| owed.cost() + each_event(block, 1));
+    let owed = block.owed.as_ref().map_or(Cost::default(), |owed| owed.cost() + each_event(block, 1));
     let kept = if block.options.retain { retain::cost(block) } else { Cost::default() };
     frame(block) + kept + run(block).max(reset(block)) + owed
 }

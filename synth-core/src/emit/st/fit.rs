@@ -50,9 +50,9 @@ impl std::error::Error for Unfit {}
 
 /// Whether a call ends.
 pub(super) fn check(tables: &Tables, options: &Options) -> Result<(), Unfit> {
-    match silent_circle(tables) {
-        Some(state) if options.drain => Err(Unfit::EndlessDrain { state }),
-        _ => Ok(()),
+    match options.drain.then(|| silent_circle(tables)).flatten() {
+        Some(state) => Err(Unfit::EndlessDrain { state }),
+        None => Ok(()),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Integer types of the standard.
 
 use super::owed::Owed;
-use super::{Integers, Options, Unfit};
+use super::{Integers, Unfit};
 use crate::controller::tables::{ComponentTable, Tables};
 
 /// An elementary integer type.
@@ -76,10 +76,13 @@ impl Types {
     /// # Errors
     ///
     /// A number that no type of the family holds.
-    pub(super) fn of(tables: &Tables, options: &Options, largest_index: u64) -> Result<Types, Unfit> {
-        let family = options.integers;
+    pub(super) fn of(
+        tables: &Tables,
+        family: Integers,
+        largest_index: u64,
+        owed: Option<&Owed>,
+    ) -> Result<Types, Unfit> {
         let too_large = || Unfit::TooLarge { states: tables.states };
-        let owed = if options.owed { Owed::new(&tables.owed).largest() } else { 0 };
         let codes = |component: &ComponentTable| {
             let commands = component.commands.len();
             code_type(commands, family)
@@ -93,7 +96,7 @@ impl Types {
             },
             index: Integer::holding(largest_index.max(tables.events.len() as u64), family)
                 .ok_or_else(too_large)?,
-            owed: Integer::holding(owed, family).ok_or_else(too_large)?,
+            owed: Integer::holding(owed.map_or(0, Owed::largest), family).ok_or_else(too_large)?,
             codes: tables.components.iter().map(codes).collect::<Result<_, _>>()?,
         })
     }
