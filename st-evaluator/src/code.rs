@@ -114,6 +114,13 @@ pub(crate) enum Operator {
     RotateRight,
 }
 
+impl Operator {
+    pub(crate) fn is_comparison(self) -> bool {
+        use Operator::{Equal, Greater, GreaterOrEqual, Less, LessOrEqual, Unequal};
+        matches!(self, Equal | Unequal | Less | LessOrEqual | Greater | GreaterOrEqual)
+    }
+}
+
 #[derive(Clone, Debug)]
 pub(crate) struct Within {
     pub(crate) value: Expr,

@@ -30,8 +30,8 @@
 //!
 //! - `BOOL`, the integers and bit strings, `TIME`, `STRING`; arrays of several dimensions, structures,
 //!   enumerations, subranges, other names for types; initial values with repetition.
-//! - All sections of variables; `CONSTANT`; [`Instance::retained`] has what `RETAIN` keeps, but no power is ever lost by itself. `AT` is read, and means
-//!   nothing.
+//! - All sections of variables; `CONSTANT`; [`Instance::retained`] has what `RETAIN` keeps, but no power is ever lost
+//!   by itself. `AT` is read, and means nothing.
 //! - Functions, function blocks, programs, configurations. One call of a configuration is one scan: every program
 //!   runs, whatever its task's interval. What tasks there are, [`Unit::tasks`] tells.
 //! - All statements, all operators but `**`; `ABS MIN MAX LIMIT SEL MUX SHL SHR ROL ROR LEN LEFT RIGHT MID CONCAT`,

@@ -511,13 +511,13 @@ fn scl() {
 fn costs_are_counted() {
     let text = block(
         "a : ARRAY [0..7] OF INT; i : INT; x : INT;",
-        "FOR i := 0 TO 7 DO a[i] := i; END_FOR; x := a[3]; IF x = 3 THEN x := a[x]; END_IF;",
+        "FOR i := 0 TO 7 DO a[i] := i; END_FOR; x := a[3]; IF a[x] = x THEN x := a[x]; END_IF;",
     );
     let unit = unit(Edition2, &text);
     let stats = unit.instance("Main").expect("it is there").call().expect("it runs");
     assert_eq!(
-        (stats.statements, stats.iterations, stats.indexed, stats.calls),
-        (1 + 8 + 1 + 1 + 1, 8, 9, 0)
+        (stats.statements, stats.iterations, stats.indexed, stats.compared, stats.calls),
+        (1 + 8 + 1 + 1 + 1, 8, 10, 1, 0)
     );
 }
 

@@ -230,8 +230,10 @@ impl<'u> Running<'u> {
             block.set_at(*slot, *value).expect("an input");
         }
         let stats = block.call().map_err(|error| error.to_string())?;
-        let Cost { statements, iterations, .. } = self.bound;
-        if stats.wrapped > 0 || stats.statements > statements || stats.iterations > iterations {
+        let Cost { statements, iterations, probes } = self.bound;
+        let exceeds =
+            stats.statements > statements || stats.iterations > iterations || stats.compared > probes;
+        if stats.wrapped > 0 || exceeds {
             return Err(format!(
                 "integers are too narrow or the bound is too small: {stats:?}, {:?}",
                 self.bound

@@ -29,11 +29,6 @@ fn operator_named(text: &str) -> Option<Operator> {
     })
 }
 
-fn is_comparison(operator: Operator) -> bool {
-    use Operator::{Equal, Greater, GreaterOrEqual, Less, LessOrEqual, Unequal};
-    matches!(operator, Equal | Unequal | Less | LessOrEqual | Greater | GreaterOrEqual)
-}
-
 impl<'t> Body<'_, 't> {
     /// Any expression. A hint is the type that is wanted, for what could have several.
     pub(super) fn operand(&mut self, node: Node<'t>, hint: Option<TypeId>) -> Option<Operand> {
@@ -105,7 +100,7 @@ impl<'t> Body<'_, 't> {
             self.error(operator_node, format!("`{spelled}` is not supported: it is one of `REAL`"));
             return None;
         };
-        let hint = hint.filter(|_| !is_comparison(operator));
+        let hint = hint.filter(|_| !operator.is_comparison());
         let left = self.operand(left_node, hint);
         let left_ty = match &left {
             Some(Operand::Scalar { ty, .. }) => Some(*ty),
@@ -119,7 +114,7 @@ impl<'t> Body<'_, 't> {
             return self.fold(node, operator, *a, *b);
         }
         if let (Some(a), Some(b)) = (self.as_text(&left), self.as_text(&right)) {
-            if !is_comparison(operator) {
+            if !operator.is_comparison() {
                 self.error(node, format!("`{spelled}` of strings"));
                 return None;
             }
@@ -223,7 +218,7 @@ impl<'t> Body<'_, 't> {
             let expr = Expr::Shortcut(operator == Operator::And, Box::new((left, right)));
             return Some(Operand::Scalar { ty, expr, value: None });
         }
-        let result = if is_comparison(operator) { Kind::Bool } else { kind };
+        let result = if operator.is_comparison() { Kind::Bool } else { kind };
         // Enumerations and pointers are compared only, so that all other results have the kind of the operands.
         let ty = self.elementary(result);
         if let (Some(a), Some(b)) = (left_value, right_value) {

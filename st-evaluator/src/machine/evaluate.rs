@@ -55,8 +55,10 @@ impl Machine {
     }
 
     fn binary(&mut self, pous: &[Pou], binary: &Binary) -> Result<i64, Fault> {
+        let indexed = self.stats.indexed;
         let a = self.evaluate(pous, &binary.left)?;
         let b = self.evaluate(pous, &binary.right)?;
+        self.stats.compared += u64::from(binary.operator.is_comparison() && self.stats.indexed > indexed);
         match binary.operator {
             Operator::And => return Ok(a & b),
             Operator::Or => return Ok(a | b),

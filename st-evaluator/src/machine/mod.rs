@@ -27,6 +27,8 @@ pub struct Stats {
     pub iterations: u64,
     /// Elements of arrays that were read, written or passed by a computed index.
     pub indexed: u64,
+    /// Comparisons with an element of an array that was found by a computed index.
+    pub compared: u64,
     /// Calls of functions and function blocks.
     pub calls: u64,
     /// Elements that were copied in assignments and arguments of whole arrays and structures.

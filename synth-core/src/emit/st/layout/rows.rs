@@ -119,8 +119,8 @@ impl Layout for RowLayout {
             let components = block.names.components.len() as u64;
             let looked = compared(block.tables.super_steps.source.len());
             if block.drains() {
-                // `done`, an `IF` per component, `IF NOT done`.
-                cost.seek = looked + Cost::statements(2 + components);
+                // `done`, an `IF` per component that looks at its code, `IF NOT done`.
+                cost.seek = looked + Cost { statements: 2 + components, iterations: 0, probes: components };
                 // `state`, and per component an `IF` around its output.
                 cost.perform = Cost::statements(1 + 2 * components);
                 cost.leave = Cost::statements(components);

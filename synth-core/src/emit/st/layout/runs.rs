@@ -142,8 +142,9 @@ impl Layout for RunLayout {
             cost.rounds_per_event = 1;
             let filled = (0..events).map(|event| u64::from(runs.count(event))).filter(|count| *count > 0);
             cost.searches = filled.map(|count| self.search.cost(count, true) + compared).collect();
-            // `changed`, the loop over events, and an `IF` for each.
-            cost.round = Cost { statements: 2 + events as u64, iterations: 1 + events as u64, probes: 0 };
+            // `changed`, the loop over events, and an `IF` for each, which asks whether there are runs if need be.
+            let asked = if self.is_total(block) { 0 } else { events as u64 };
+            cost.round = Cost { statements: 2 + events as u64, iterations: 1 + events as u64, probes: asked };
             // `state`, `pending`, `changed`.
             cost.event = Cost::statements(3);
         }
@@ -154,8 +155,12 @@ impl Layout for RunLayout {
             // `due`, `done`, and `IF NOT due` behind.
             let around = Cost::statements(1 + drains + u64::from(events > 0));
             cost.seek = self.search.cost(count, count > 1) + compared + around;
-            // `due`; when draining `done`, an `IF` per component, `IF NOT done`.
-            let decided = Cost::statements(1 + drains * (2 + components));
+            // `due`; when draining `done`, an `IF` per component that looks at its code, `IF NOT done`.
+            let decided = Cost {
+                statements: 1 + drains * (2 + components),
+                iterations: 0,
+                probes: drains * components,
+            };
             // `state`, and per component its output, in an `IF` when draining.
             cost.perform = decided + Cost::statements(1 + (1 + drains) * components);
             cost.leave = decided + Cost::statements(components);
