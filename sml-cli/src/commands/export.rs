@@ -108,7 +108,7 @@ impl Xml {
     }
 }
 
-/// What can be written; most are to come.
+/// What can be written; some are to come.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub(crate) enum Target {
     Rust,

@@ -196,6 +196,16 @@ fn templates_keep_names_apart() {
     }
 }
 
+/// The wiring calls the controller `primary`.
+#[test]
+fn a_secondary_called_primary_is_not_the_primary() {
+    let mut tables = talking_lamp();
+    tables.components[0].object = "primary".to_owned();
+    let template = &st::templates(&tables, &Options::default()).expect("it fits")[0];
+    assert!(template.text.contains("  primary : Lamp_Controller;"), "{}", template.text);
+    assert!(template.text.contains("  primary_2 : Lamp_primary;"), "{}", template.text);
+}
+
 #[test]
 fn to_generate_again_the_options_are_named() {
     let (trigger, integers, unexpected) = (Trigger::Level, Integers::Signed, Unexpected::Fault);

@@ -102,6 +102,7 @@ const OWN: &[&str] = &[
     "owed_row",
     "owed_set",
     "previous",
+    "primary",
     "raised",
     "row",
     "run_row",
