@@ -195,8 +195,10 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     if arguments.templates.is_some() && structured_text.is_none() && arguments.target != Target::Rust {
         return Err(Failure::usage(format!("there are no templates for target `{}`", arguments.target)));
     }
-    if arguments.check && arguments.output.is_none() && arguments.templates.is_none() {
-        return Err(Failure::usage("`--check` needs something to check: `--output` or `--templates`"));
+    if arguments.check && arguments.file_written().is_none() && arguments.templates.is_none() {
+        return Err(Failure::usage(
+            "`--check` needs something to check: a file of `--output`, or `--templates`",
+        ));
     }
     let level = arguments.minimize.level().map_err(Failure::unsupported)?;
     output::refuse_input(arguments.output.as_deref(), &arguments.file)?;
@@ -225,7 +227,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
         }
         output::product(arguments.output.as_deref(), &text)?;
     }
-    if let Some(path) = arguments.output.as_deref().filter(|path| path.as_os_str() != "-") {
+    if let Some(path) = arguments.file_written() {
         match session.format() {
             Format::Json => {
                 let options = structured_text.map(|_| &options);
@@ -268,7 +270,7 @@ fn check(
     secondaries: Option<(&PathBuf, Vec<Template>)>,
 ) -> Result<(), Failure> {
     let mut found = Vec::new();
-    if let Some(path) = &arguments.output {
+    if let Some(path) = arguments.file_written() {
         found.extend(compare(path, text, arguments)?);
     }
     if let Some((folder, secondaries)) = secondaries {
@@ -295,6 +297,11 @@ fn compare(path: &Path, text: &str, arguments: &Arguments) -> Result<Option<Diag
 }
 
 impl Arguments {
+    /// What the product is written to, unless that is stdout.
+    fn file_written(&self) -> Option<&Path> {
+        self.output.as_deref().filter(|path| path.as_os_str() != "-")
+    }
+
     /// The options that are not a target's own, as far as they change the controller.
     fn general_options(&self, session: &Session) -> String {
         let classic = if session.semantics().classic { " --classic" } else { "" };

@@ -195,7 +195,9 @@ fn check_writes_nothing() {
     let run = cell.export("--check");
     check(&run, 1, &[FILES[1]]);
     assert!(run.stdout.is_empty() && !run.stderr.contains("cell.st`"), "{}", run.stderr);
-    check(&sml("export memory/spec.sml --target iec --check"), 2, &["--templates"]);
+    for nothing in ["", "-o -"] {
+        check(&sml(&format!("export memory/spec.sml --target iec --check {nothing}")), 2, &["--templates"]);
+    }
 }
 
 #[test]
