@@ -13,6 +13,9 @@ pub trait Number: Copy + Ord + Into<u32> + sealed::Sealed {
 
     /// The number at `bytes[WIDTH * index..]`, little-endian; `None` beyond the end.
     fn read(bytes: &[u8], index: usize) -> Option<Self>;
+
+    /// The same number, if the type holds it.
+    fn from_u32(number: u32) -> Option<Self>;
 }
 
 macro_rules! number {
@@ -26,6 +29,11 @@ macro_rules! number {
             fn read(bytes: &[u8], index: usize) -> Option<Self> {
                 let rest = bytes.get(index.checked_mul(Self::WIDTH)?..)?;
                 rest.first_chunk().map(|&bytes| Self::from_le_bytes(bytes))
+            }
+
+            #[inline]
+            fn from_u32(number: u32) -> Option<Self> {
+                Self::try_from(number).ok()
             }
         }
     )*};
@@ -46,6 +54,12 @@ pub trait Column {
 
     /// Where `number` is in a column that ascends strictly.
     fn position(&self, number: Self::Number) -> Option<usize>;
+
+    /// The number at `index` as an index into another column.
+    #[inline]
+    fn index(&self, index: usize) -> Option<usize> {
+        self.get(index).map(|number| number.into() as usize)
+    }
 }
 
 impl<T: Number, const N: usize> Column for [T; N] {

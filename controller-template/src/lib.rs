@@ -14,6 +14,9 @@
 //! | Item | What it is |
 //! |---|---|
 //! | [`Mapping`] | two columns, ascending sources and their targets, searched without branches |
+//! | [`Runs`] | several mapping functions over runs of consecutive states: the smallest |
+//! | [`Comb`] | all mapping functions interlocked in one array: the fastest |
+//! | [`Span`] | a mapping function over consecutive states |
 //! | [`Column`] | an array of numbers, or a [`Packed`] byte string of them |
 //! | [`Machine`] | state and pending events; `cycle`, `drain` and `react` |
 //! | [`Observer`] | sees every transition; costs nothing when unused |
@@ -28,13 +31,19 @@
 
 mod bits;
 mod column;
+mod comb;
 mod machine;
 mod mapping;
+mod runs;
+mod span;
 
 pub use bits::{Bits, Ones};
 pub use column::{Column, Number, Packed};
+pub use comb::Comb;
 pub use machine::{CommandSet, Machine, Observer, Tables};
 pub use mapping::Mapping;
+pub use runs::Runs;
+pub use span::Span;
 
 /// Version of the meaning of generated tables; a generated module refuses to compile with any other.
 pub const FORMAT_VERSION: u32 = 1;

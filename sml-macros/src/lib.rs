@@ -7,6 +7,13 @@
 //! sml_macros::sml!("specs/cell.sml");
 //! ```
 //!
+//! An attribute in front chooses how generated code finds the row of a state: `#![engine = "auto"]` (what is taken without
+//! one), `"search"`, `"runs"` or `"comb"`.
+//!
+//! ```text
+//! sml_macros::sml! { #![engine = "runs"] "specs/cell.sml" }
+//! ```
+//!
 //! Both expand to `pub mod <specification>`; what is in there is described by the crate `controller-template`, which
 //! the invoking crate must depend on. A specification that is wrong or that no controller can meet is a compile error
 //! at the token that is to blame. For more than 100,000 states use a build script, also for more than 10,000 in an editor:
@@ -21,7 +28,10 @@ use synth_core::syntax::read_bounded;
 /// A verified controller from a scenario specification, see the [crate] documentation.
 #[proc_macro]
 pub fn sml(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
-    let tokens = TokenStream::from(input);
+    let (engine, tokens) = match embed::engine(&TokenStream::from(input)) {
+        Ok(split) => split,
+        Err(error) => return error.into(),
+    };
     let mut read_files = Vec::new();
     let package = PathBuf::from(std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
     let mut read = |path: &str| {
@@ -32,9 +42,9 @@ pub fn sml(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     };
     let expander = Expander::of(&std::env::current_exe().unwrap_or_default());
     let module = match Input::of(&tokens) {
-        Input::Specification => embed::inline(&tokens, expander, &mut read),
+        Input::Specification => embed::inline(&tokens, engine, expander, &mut read),
         Input::Path(span, path) => match read(&path) {
-            Ok(bytes) => embed::file(&path, &bytes, span, expander, &mut read),
+            Ok(bytes) => embed::file(&path, &bytes, span, engine, expander, &mut read),
             Err(why) => {
                 let why =
                     format!("`{path}` cannot be read: {why}\n  help: paths are relative to the package");

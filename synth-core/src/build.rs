@@ -15,7 +15,7 @@
 //! each; [`Build::deny`] makes one of them end the build.
 
 use crate::diagnostic::{Code, Diagnostic, render};
-use crate::emit::rust;
+use crate::emit::rust::{self, Engine};
 use crate::explore::Limits;
 use crate::pipeline::{Options, Timings, compile_with_warnings as run};
 use crate::quality::{Policy, Warning};
@@ -35,6 +35,7 @@ pub fn compile(path: impl AsRef<Path>) {
 pub struct Build {
     options: Options,
     policy: Policy,
+    engine: Engine,
 }
 
 impl Build {
@@ -48,6 +49,13 @@ impl Build {
     #[must_use]
     pub fn options(mut self, options: Options) -> Self {
         self.options = options;
+        self
+    }
+
+    /// How generated code finds the row of a state.
+    #[must_use]
+    pub fn engine(mut self, engine: Engine) -> Self {
+        self.engine = engine;
         self
     }
 
@@ -120,7 +128,8 @@ impl Build {
         let mut name = path.file_stem().unwrap_or(path.as_os_str()).to_owned();
         name.push(".rs");
         let target = out.join(name);
-        let text = rust::text(&tables, &rust::Options::default());
+        let options = rust::Options { engine: self.engine, ..rust::Options::default() };
+        let text = rust::text(&tables, &options);
         replace(&target, &text).map_err(|why| format!("error: {} cannot be written: {why}", target.display()))
     }
 }

@@ -1,11 +1,12 @@
 //! What the macro `sml!` does with its input, without being a macro.
 
 use crate::diagnostic::{Code, Diagnostic, compile_errors, compile_errors_at};
-use crate::emit::rust;
+use crate::emit::rust::{self, Engine};
 use crate::explore::Limits;
 use crate::pipeline::{Options, Timings, compile};
 use crate::syntax::{Loaded, Reader, load, load_imports, parse_tokens};
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
+use quote::quote_spanned;
 use std::path::Path;
 
 /// Who waits for the macro, and so how many states it may take.
@@ -39,6 +40,44 @@ impl Expander {
     }
 }
 
+/// Takes `#![engine = "…"]` off the beginning of the macro's input, which may have none.
+///
+/// # Errors
+///
+/// A `compile_error!` at what is wrong with it.
+pub fn engine(tokens: &TokenStream) -> Result<(Engine, TokenStream), TokenStream> {
+    let mut rest = tokens.clone().into_iter();
+    match (rest.next(), rest.next(), rest.next()) {
+        (Some(TokenTree::Punct(hash)), Some(TokenTree::Punct(bang)), Some(TokenTree::Group(attribute)))
+            if hash.as_char() == '#'
+                && bang.as_char() == '!'
+                && attribute.delimiter() == Delimiter::Bracket =>
+        {
+            let engine = engine_of(&attribute)
+                .map_err(|(span, why)| quote_spanned!(span=> ::core::compile_error! { #why }))?;
+            Ok((engine, rest.collect()))
+        }
+        _ => Ok((Engine::default(), tokens.clone())),
+    }
+}
+
+/// `engine = "…"`
+fn engine_of(attribute: &Group) -> Result<Engine, (Span, String)> {
+    let mut inner = attribute.stream().into_iter();
+    let parts = (inner.next(), inner.next(), inner.next(), inner.next());
+    let expected = || (attribute.span(), "expected `#![engine = \"…\"]`".to_owned());
+    let (Some(TokenTree::Ident(name)), Some(TokenTree::Punct(equals)), Some(TokenTree::Literal(value)), None) =
+        parts
+    else {
+        return Err(expected());
+    };
+    let value_text = syn::parse_str::<syn::LitStr>(&value.to_string()).map_err(|_| expected())?;
+    if name != "engine" || equals.as_char() != '=' {
+        return Err(expected());
+    }
+    value_text.value().parse().map_err(|why| (value.span(), why))
+}
+
 /// What outputs name as the file of a specification that has none.
 const INLINE: &str = "sml!";
 
@@ -46,11 +85,11 @@ const INLINE: &str = "sml!";
 ///
 /// `read` is asked for imported files, relative to the folder of the package.
 #[must_use]
-pub fn inline(tokens: &TokenStream, expander: Expander, read: Reader<'_>) -> TokenStream {
+pub fn inline(tokens: &TokenStream, engine: Engine, expander: Expander, read: Reader<'_>) -> TokenStream {
     let (file, diagnostics) = parse_tokens(tokens.clone(), Loaded::MAIN);
     let mut loaded = file.map_or_else(Loaded::default, |file| load_imports(INLINE, file, read));
     loaded.diagnostics.splice(0..0, diagnostics);
-    controller(&loaded, expander).unwrap_or_else(|diagnostics| {
+    controller(&loaded, engine, expander).unwrap_or_else(|diagnostics| {
         let diagnostics = diagnostics.into_iter().map(advise_inline).collect::<Vec<_>>();
         compile_errors(&diagnostics, tokens, &loaded)
     })
@@ -58,15 +97,22 @@ pub fn inline(tokens: &TokenStream, expander: Expander, read: Reader<'_>) -> Tok
 
 /// The controller of a specification in a file, or a `compile_error!` at `span` for each mistake that shows its place.
 #[must_use]
-pub fn file(path: &str, bytes: &[u8], span: Span, expander: Expander, read: Reader<'_>) -> TokenStream {
+pub fn file(
+    path: &str,
+    bytes: &[u8],
+    span: Span,
+    engine: Engine,
+    expander: Expander,
+    read: Reader<'_>,
+) -> TokenStream {
     let loaded = load(path, bytes, read);
-    controller(&loaded, expander)
+    controller(&loaded, engine, expander)
         .unwrap_or_else(|diagnostics| compile_errors_at(span, &diagnostics, &loaded.sources))
 }
 
-fn controller(loaded: &Loaded, expander: Expander) -> Result<TokenStream, Vec<Diagnostic>> {
+fn controller(loaded: &Loaded, engine: Engine, expander: Expander) -> Result<TokenStream, Vec<Diagnostic>> {
     match compile(loaded, &expander.options(), &mut Timings::default()) {
-        Ok(tables) => Ok(rust::module(&tables, &rust::Options::default())),
+        Ok(tables) => Ok(rust::module(&tables, &rust::Options { engine, ..rust::Options::default() })),
         Err(failure) => Err(failure.diagnostics().into_iter().map(|d| advise(d, loaded, expander)).collect()),
     }
 }

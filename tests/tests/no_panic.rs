@@ -6,7 +6,9 @@ use std::process::Output;
 
 use sml_tests::scratch::Scratch;
 use sml_tests::tables::{self, Size};
-use synth_core::emit::rust::{Options, text};
+use synth_core::emit::rust::{Engine, Options, text};
+
+const ENGINES: [Engine; 3] = [Engine::Search, Engine::Runs, Engine::Comb];
 
 const MANIFEST: &str = r#"
 [features]
@@ -42,11 +44,16 @@ fn a_release_build_has_no_path_to_a_panic() {
         ("wide", tables::random("wide", Size { events: 70, ..size }, 2)),
         ("packed", tables::random("packed", Size { states: 9000, ..size }, 3)),
     ] {
-        scratch.write(&format!("src/{file}.rs"), &text(&tables, &Options::default())).expect("written");
+        for engine in ENGINES {
+            let text = text(&tables, &Options { engine, ..Options::default() });
+            scratch.write(&format!("src/{}/{file}.rs", engine.name()), &text).expect("written");
+        }
     }
-    scratch.write("src/main.rs", include_str!("no_panic/program.rs")).expect("written");
-
-    for profile in ["release", "small"] {
+    let program = include_str!("no_panic/program.rs");
+    for (engine, profile) in ENGINES.into_iter().flat_map(|engine| ["release", "small"].map(|p| (engine, p)))
+    {
+        let program = program.replace("include!(\"", &format!("include!(\"{}/", engine.name()));
+        scratch.write("src/main.rs", &program).expect("written");
         let clean = build(&scratch, &["--profile", profile]);
         assert!(clean.status.success(), "{profile}: {}", String::from_utf8_lossy(&clean.stderr));
         let control = build(&scratch, &["--profile", profile, "--features", "control"]);

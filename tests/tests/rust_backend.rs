@@ -11,30 +11,47 @@ use sml_tests::tables::{self, Random, Size};
 use synth_core::controller::cycle::Machine;
 use synth_core::controller::tables::{Provenance, Tables};
 use synth_core::controller::{Controller, json};
-use synth_core::emit::rust::{Options, module, templates, text};
+use synth_core::emit::rust::{Engine, Options, module, templates, text};
 use synth_core::emit::st;
 
-/// A module, the tables it is of, and the fields of its `Commands`.
+/// A module, the tables it is of, how they are searched, and the fields of its `Commands`.
 struct Case {
     module: String,
     tables: Tables,
+    engine: Engine,
+    /// Whether it runs beside Structured Text, which takes long: once for the same tables.
+    beside_text: bool,
     fields: Vec<String>,
 }
 
 impl Case {
     fn new(module: &str, tables: Tables, fields: &[&str]) -> Self {
         let fields = fields.iter().map(|&field| field.to_owned()).collect();
-        Case { module: module.to_owned(), tables, fields }
+        Case { module: module.to_owned(), tables, engine: Engine::Auto, beside_text: true, fields }
     }
 
     fn random(module: &str, size: Size, seed: u64) -> Self {
         let tables = tables::random(module, size, seed);
         let fields = tables.components.iter().map(|component| component.object.clone()).collect();
-        Case { module: module.to_owned(), tables, fields }
+        Case { module: module.to_owned(), tables, engine: Engine::Auto, beside_text: true, fields }
+    }
+
+    /// The same once per engine.
+    fn with_engines(self) -> impl Iterator<Item = Case> {
+        [Engine::Search, Engine::Runs, Engine::Comb].into_iter().map(move |engine| {
+            let module = format!("{}_{}", self.module, engine.name());
+            let tables = Tables { specification: module.clone(), ..self.tables.clone() };
+            let beside_text = engine == Engine::Comb;
+            Case { module, tables, engine, beside_text, fields: self.fields.clone() }
+        })
     }
 }
 
 fn cases() -> Vec<Case> {
+    single_cases().into_iter().flat_map(Case::with_engines).collect()
+}
+
+fn single_cases() -> Vec<Case> {
     let size = |states, events, rows, components| Size { states, events, rows, components };
     vec![
         Case::new("small_cell", tables::cell(), &["arm", "press"]),
@@ -52,14 +69,14 @@ fn cases() -> Vec<Case> {
     ]
 }
 
-/// The tables of the corpus, each named after its folder.
+/// The tables of the corpus, each named after its folder; engines in turn.
 fn corpus_cases() -> Vec<Case> {
-    let case = |(name, controller): (String, Controller)| {
+    let case = |((name, controller), &engine): ((String, Controller), &Engine)| {
         let tables = Tables::new(&name, &controller, Provenance::default());
         let fields = tables.components.iter().map(|component| snake_case(&component.object)).collect();
-        Case { module: name, tables, fields }
+        Case { module: name, tables, engine, beside_text: true, fields }
     };
-    corpus::controllers().into_iter().map(case).collect()
+    corpus::controllers().into_iter().zip(Engine::ALL.iter().cycle()).map(case).collect()
 }
 
 /// `feed_arm` for `feedArm`.
@@ -74,15 +91,14 @@ fn snake_case(name: &str) -> String {
     snake
 }
 
+const ORDERED: Options = Options { ordered: true, engine: Engine::Auto };
+
 /// Modules that are compiled only.
 fn compiled_only() -> Vec<(String, Options)> {
     let mut ordered = tables::cell();
     ordered.specification = "Ordered".to_owned();
     let default = Options::default();
-    vec![
-        (text(&tables::names(), &default), default),
-        (text(&ordered, &Options { ordered: true }), Options { ordered: true }),
-    ]
+    vec![(text(&tables::names(), &default), default), (text(&ordered, &ORDERED), ORDERED)]
 }
 
 /// What to do with a controller: several events raised at once, then one step, now and then a reaction or a reset.
@@ -145,8 +161,9 @@ fn write_crate(cases: &[Case]) -> std::io::Result<Scratch> {
     let mut private = library.replace("#![no_std]\n", "");
     let mut driver = String::from(include_str!("rust_backend/drive.rs"));
     let mut insert = String::new();
-    for (i, Case { module, tables, fields }) in cases.iter().enumerate() {
-        scratch.write(&format!("src/{module}.rs"), &text(tables, &Options::default()))?;
+    for (i, Case { module, tables, engine, fields, .. }) in cases.iter().enumerate() {
+        let options = Options { engine: *engine, ..Options::default() };
+        scratch.write(&format!("src/{module}.rs"), &text(tables, &options))?;
         let _ = writeln!(library, "include!(\"{module}.rs\");");
         let _ = writeln!(private, "mod m{i} {{\n    include!(\"../{module}.rs\");\n}}");
         let fields = fields.join(", ");
@@ -208,7 +225,8 @@ fn modules_have_no_warnings_and_step_as_the_contract_says() {
     for (number, (printed, (line, expected))) in printed.lines().zip(&lines).enumerate() {
         assert_eq!(printed, expected, "at `{line}`, line {number}");
     }
-    let scans: Vec<Vec<Inputs>> = cases.iter().map(scans).collect();
+    let cases: Vec<&Case> = cases.iter().filter(|case| case.beside_text).collect();
+    let scans: Vec<Vec<Inputs>> = cases.iter().copied().map(scans).collect();
     let actions = cases.iter().zip(&scans).map(|(case, scans)| actions(&case.module, scans));
     let printed = drive(&scratch, &actions.collect::<String>());
     let mut printed = printed.lines();
@@ -337,7 +355,8 @@ fn the_interpreter_of_json_steps_as_the_tables_say() {
 #[test]
 fn text_is_the_module_and_its_origin() {
     let cell = tables::cell();
-    let text = text(&cell, &Options::default());
+    let options = Options { engine: Engine::Search, ..Options::default() };
+    let text = text(&cell, &options);
     for part in [
         "// Generated by `sml` ",
         " from `specs/smallcell.sml` (input 00000000000000ff, table format 1).\n",
@@ -355,14 +374,14 @@ fn text_is_the_module_and_its_origin() {
         assert!(text.contains(part), "no {part:?} in\n{text}");
     }
     assert!(!text.contains("ARM_CTL_ARRIVED_1"), "a table without rows");
-    assert_eq!(text, synth_core::emit::rust::text(&cell, &Options::default()));
-    let tokens = module(&cell, &Options::default()).to_string();
+    assert_eq!(text, synth_core::emit::rust::text(&cell, &options));
+    let tokens = module(&cell, &options).to_string();
     assert!(tokens.contains(":: controller_template :: names ! {"), "{tokens}");
 }
 
 #[test]
 fn one_event_at_a_time_needs_no_pending_events() {
-    let text = text(&tables::cell(), &Options { ordered: true });
+    let text = text(&tables::cell(), &ORDERED);
     assert!(text.contains("pub fn react(") && text.contains("pub fn cycle("));
     assert!(!text.contains("fn raise(") && !text.contains("fn drain(") && !text.contains("fn pending("));
 }
@@ -370,9 +389,10 @@ fn one_event_at_a_time_needs_no_pending_events() {
 #[test]
 fn small_tables_are_arrays_and_large_ones_bytes() {
     let size = Size { states: 300, events: 2, rows: 50, components: 1 };
-    let small = text(&tables::random("small", size, 1), &Options::default());
+    let options = Options { engine: Engine::Search, ..Options::default() };
+    let small = text(&tables::random("small", size, 1), &options);
     assert!(small.contains("Mapping<[u16; ") && !small.contains("Packed"), "{small}");
-    let large = text(&tables::random("large", Size { states: 30_000, ..size }, 1), &Options::default());
+    let large = text(&tables::random("large", Size { states: 30_000, ..size }, 1), &options);
     assert!(large.contains("Packed<u16, ") && !large.contains("; 1]"), "arrays beside byte strings");
     for text in [small, large] {
         let long =

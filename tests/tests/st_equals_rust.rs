@@ -67,7 +67,9 @@ fn contained(tables: &Tables) -> Controller {
 #[track_caller]
 fn check(name: &str, tables: &Tables) {
     use synth_core::emit::{rust as rust_emitter, st as st_emitter};
-    let rust = rust::read(&rust_emitter::text(tables, &rust_emitter::Options::default()));
+    let published =
+        rust_emitter::Options { engine: rust_emitter::Engine::Search, ..rust_emitter::Options::default() };
+    let rust = rust::read(&rust_emitter::text(tables, &published));
     let expected = contained(tables);
     assert_eq!(rust, expected, "{name}, Rust");
     for drain in [false, true] {

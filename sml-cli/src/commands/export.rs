@@ -43,6 +43,9 @@ pub(crate) struct Arguments {
     minimize: Minimize,
     #[command(flatten)]
     warnings: Warnings,
+    /// Rust: how the row of a state is found: `auto`, `search`, `runs` or `comb`
+    #[arg(long, value_name = "ENGINE")]
+    engine: Option<rust::Engine>,
     #[command(flatten)]
     text: StructuredText,
 }
@@ -176,7 +179,13 @@ enum Encoding {
 }
 
 /// Makes the text of a target, or says why the target cannot hold the controller.
-type Writer = fn(&Tables, &Controller, &st::Options) -> Result<String, String>;
+type Writer = fn(&Tables, &Controller, &Options) -> Result<String, String>;
+
+/// Options of all targets.
+struct Options {
+    rust: rust::Options,
+    text: st::Options,
+}
 
 pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
     let xml = arguments.text.xml;
@@ -188,6 +197,9 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
             "options of Structured Text mean nothing to target `{}`",
             arguments.target
         )));
+    }
+    if arguments.target != Target::Rust && arguments.engine.is_some() {
+        return Err(Failure::usage(format!("`--engine` means nothing to target `{}`", arguments.target)));
     }
     if arguments.target == Target::Case && arguments.text.encoding.is_some() {
         return Err(Failure::usage("target `case` has no tables that `--encoding` could mean".to_owned()));
@@ -211,11 +223,14 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     warnings::show(warnings, &policy, &loaded, session)?;
     let provenance = Provenance { options: arguments.general_options(session), ..provenance(&loaded, &spec) };
     let tables = Tables::new(&spec.name, &controller, provenance);
-    let options = arguments.text.options(structured_text.unwrap_or_default());
+    let rust = rust::Options { engine: arguments.engine.unwrap_or_default(), ..rust::Options::default() };
+    let options = Options { rust, text: arguments.text.options(structured_text.unwrap_or_default()) };
     let unfit = |why| Failure::new(Exit::Wrong, nowhere(Code::Unfit, why));
     let text = session.stage("emit", || write(&tables, &controller, &options)).map_err(unfit)?;
     let secondaries = match &arguments.templates {
-        Some(folder) => Some((folder, templates::of(arguments.target, &tables, &options).map_err(unfit)?)),
+        Some(folder) => {
+            Some((folder, templates::of(arguments.target, &tables, &options.text).map_err(unfit)?))
+        }
         None => None,
     };
     if arguments.check {
@@ -230,7 +245,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     if let Some(path) = arguments.file_written() {
         match session.format() {
             Format::Json => {
-                let options = structured_text.map(|_| &options);
+                let options = structured_text.map(|_| &options.text);
                 output::print(&figures::json(arguments.target, &text, &tables, options))?;
             }
             Format::Text if arguments.check => {}
@@ -242,15 +257,17 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
 
 fn writer(target: Target, xml: Xml) -> Result<Writer, Failure> {
     Ok(match target {
-        Target::Rust => |tables, _, _| Ok(rust::text(tables, &rust::Options::default())),
+        Target::Rust => |tables, _, options| Ok(rust::text(tables, &options.rust)),
         Target::Plcopen => match xml.dialect() {
-            plcopen::Dialect::Iec => |tables, _, options| document(tables, plcopen::Dialect::Iec, options),
+            plcopen::Dialect::Iec => {
+                |tables, _, options| document(tables, plcopen::Dialect::Iec, &options.text)
+            }
             plcopen::Dialect::Codesys => {
-                |tables, _, options| document(tables, plcopen::Dialect::Codesys, options)
+                |tables, _, options| document(tables, plcopen::Dialect::Codesys, &options.text)
             }
         },
         target if target.structured_text(xml).is_some() => {
-            |tables, _, options| st::text(tables, options).map_err(|unfit| unfit.to_string())
+            |tables, _, options| st::text(tables, &options.text).map_err(|unfit| unfit.to_string())
         }
         Target::Dot => |tables, _, _| Ok(dot::text(tables)),
         Target::Mermaid => |tables, _, _| Ok(mermaid::text(tables)),

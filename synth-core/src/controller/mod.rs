@@ -1,6 +1,7 @@
 //! The controller: a deterministic machine over environment events and super steps, and what is made of it.
 
 mod alphabet;
+pub mod comb;
 pub mod cycle;
 mod event_text;
 #[cfg(test)]

@@ -93,6 +93,41 @@ impl Layout {
     }
 }
 
+/// A column of a module: its numbers, and the type of one.
+pub(super) struct Column {
+    width: Width,
+    numbers: Vec<u32>,
+}
+
+impl Column {
+    /// Of numbers that `width` holds.
+    pub(super) fn new(width: Width, numbers: Vec<u32>) -> Column {
+        Column { width, numbers }
+    }
+
+    /// Of the narrowest type that holds all numbers.
+    pub(super) fn narrow(numbers: Vec<u32>) -> Column {
+        Column::new(Width::of(numbers.iter().copied().max().unwrap_or(0)), numbers)
+    }
+
+    pub(super) fn numbers(&self) -> &[u32] {
+        &self.numbers
+    }
+
+    /// Bytes of flash.
+    pub(super) fn bytes(&self) -> usize {
+        self.width.bytes() * self.numbers.len()
+    }
+
+    pub(super) fn ty(&self, layout: Layout) -> TokenStream {
+        layout.ty(self.width, self.numbers.len())
+    }
+
+    pub(super) fn value(&self, layout: Layout) -> TokenStream {
+        layout.value(self.width, &self.numbers)
+    }
+}
+
 /// A number, digits in groups of three from six digits on.
 pub(super) fn number(number: u32) -> Literal {
     let digits = number.to_string();
@@ -110,7 +145,7 @@ pub(super) fn number(number: u32) -> Literal {
 }
 
 /// Little-endian, every byte as `\xNN`, so that lines can be broken anywhere between bytes.
-fn byte_string(width: Width, numbers: &[u32]) -> Literal {
+pub(super) fn byte_string(width: Width, numbers: &[u32]) -> Literal {
     const HEX: &[u8; 16] = b"0123456789abcdef";
     let mut text = String::with_capacity(4 * width.bytes() * numbers.len() + 3);
     text.push_str("b\"");

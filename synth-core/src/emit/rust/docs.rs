@@ -6,6 +6,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::Options;
+use super::engine::Rows;
 use crate::controller::tables::{Requirement, Tables};
 use crate::diagnostic::counted;
 
@@ -21,20 +22,18 @@ pub(super) fn code(text: &str) -> String {
 }
 
 /// The module's doc attributes.
-pub(super) fn module(tables: &Tables, options: &Options) -> TokenStream {
+pub(super) fn module(tables: &Tables, options: &Options, engine: &dyn Rows) -> TokenStream {
     let mut text = format!("Controller of the specification {}.\n", code(&tables.specification));
-    costs(&mut text, tables, options);
+    costs(&mut text, tables, options, engine);
     requirements(&mut text, &tables.provenance.requirements);
     diagram(&mut text, tables);
     let lines = text.lines().map(|line| if line.is_empty() { String::new() } else { format!(" {line}") });
     quote!(#(#[doc = #lines])*)
 }
 
-fn costs(text: &mut String, tables: &Tables, options: &Options) {
-    let probes = |rows: usize| rows.max(1).next_power_of_two().ilog2() + u32::from(rows > 0);
+fn costs(text: &mut String, tables: &Tables, options: &Options, engine: &dyn Rows) {
     let events = tables.events.len();
-    let event = tables.events.iter().map(|table| probes(table.mapping.source.len())).max().unwrap_or(0);
-    let step = probes(tables.super_steps.source.len());
+    let (event, step) = engine.probes();
     let rows = tables.events.iter().map(|table| table.mapping.source.len()).sum::<usize>();
     let _ = write!(
         text,

@@ -142,7 +142,10 @@ fn is_own_type(name: &str) -> bool {
 
 /// Statics of every generated module.
 fn is_own_static(name: &str) -> bool {
-    matches!(name, "EVENTS" | "FORMAT_VERSION" | "OWED" | "OWED_SET" | "SUPER_STEPS")
+    matches!(
+        name,
+        "COMB" | "COMMAND_SET" | "EVENTS" | "FORMAT_VERSION" | "OWED" | "OWED_SET" | "RUNS" | "SUPER_STEPS"
+    )
 }
 
 /// Keywords of every edition, reserved ones too; those in snake case, since nothing else is asked.

@@ -8,6 +8,7 @@ mod columns;
 mod commands;
 mod controller;
 mod docs;
+mod engine;
 mod event;
 mod idents;
 mod layout;
@@ -18,6 +19,8 @@ mod template;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+pub use self::engine::Engine;
+use self::engine::Rows;
 use self::idents::Idents;
 use crate::controller::tables::{FORMAT_VERSION, Tables};
 use crate::emit::st::{ComponentNames, NameMap};
@@ -28,18 +31,22 @@ use crate::emit::template::Template;
 pub struct Options {
     /// For controllers minimised for one event at a time: the interface for several at once is left out.
     pub ordered: bool,
+    /// How rows are found.
+    pub engine: Engine,
 }
 
 /// `pub mod <specification>`.
 #[must_use]
 pub fn module(tables: &Tables, options: &Options) -> TokenStream {
     let idents = Idents::new(tables);
-    let items = items(tables, &idents, options);
+    let rows = engine::rows(options.engine, tables, &idents);
+    let items = items(tables, &idents, options, &*rows);
     let names = names(tables, &idents);
     wrap(
         tables,
         &idents,
         options,
+        &*rows,
         &quote! {
             #items
             ::controller_template::names! { #names }
@@ -55,12 +62,14 @@ pub fn text(tables: &Tables, options: &Options) -> String {
     // The formatter does not look into macros: to it, the names are a module.
     const STAND_IN: &str = "mod names_stand_in {";
     let idents = Idents::new(tables);
-    let items = items(tables, &idents, options);
+    let rows = engine::rows(options.engine, tables, &idents);
+    let items = items(tables, &idents, options, &*rows);
     let names = names(tables, &idents);
     let module = wrap(
         tables,
         &idents,
         options,
+        &*rows,
         &quote! {
             #items
             mod names_stand_in { #names }
@@ -103,12 +112,12 @@ pub fn name_map(tables: &Tables) -> NameMap {
     }
 }
 
-fn items(tables: &Tables, idents: &Idents, options: &Options) -> TokenStream {
+fn items(tables: &Tables, idents: &Idents, options: &Options, rows: &dyn Rows) -> TokenStream {
     let event = event::items(tables, idents);
     let commands = commands::items(tables, idents);
     let secondaries = secondary::items(tables, idents);
     let controller = controller::items(tables, options);
-    let tables = tables::items(tables, idents);
+    let tables = tables::items(tables, idents, rows);
     quote! {
         #controller
         #event
@@ -118,15 +127,27 @@ fn items(tables: &Tables, idents: &Idents, options: &Options) -> TokenStream {
     }
 }
 
+/// Bytes of flash of the tables in [`module`], but for what is owed.
+#[must_use]
+pub fn bytes(tables: &Tables, options: &Options) -> usize {
+    engine::bytes(&*engine::rows(options.engine, tables, &Idents::new(tables)))
+}
+
 fn names(tables: &Tables, idents: &Idents) -> TokenStream {
     let event = event::names(tables, idents);
     let commands = commands::names(tables, idents);
     quote!(#event #commands)
 }
 
-fn wrap(tables: &Tables, idents: &Idents, options: &Options, items: &TokenStream) -> TokenStream {
+fn wrap(
+    tables: &Tables,
+    idents: &Idents,
+    options: &Options,
+    rows: &dyn Rows,
+    items: &TokenStream,
+) -> TokenStream {
     let name = &idents.module;
-    let docs = docs::module(tables, options);
+    let docs = docs::module(tables, options, rows);
     quote! {
         #docs
         #[allow(dead_code, unreachable_pub, reason = "no program needs every item")]
@@ -147,6 +168,7 @@ fn wrap(tables: &Tables, idents: &Idents, options: &Options, items: &TokenStream
             clippy::many_single_char_names,
             clippy::too_many_arguments,
             clippy::too_many_lines,
+            clippy::type_complexity,
             reason = "sizes are the specification's"
         )]
         pub mod #name {

@@ -6,24 +6,24 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::columns::{Layout, Width, number};
-use super::commands::code_width;
 use super::controller::words;
 use super::docs::code;
+use super::engine::Rows;
 use super::idents::Idents;
-use crate::controller::tables::{FORMAT_VERSION, Mapping, Tables};
+use crate::controller::tables::{FORMAT_VERSION, Tables};
 
 /// `Tables`, then every static.
-pub(super) fn items(tables: &Tables, idents: &Idents) -> TokenStream {
+pub(super) fn items(tables: &Tables, idents: &Idents, rows: &dyn Rows) -> TokenStream {
     let owed = Owed::new(tables);
-    let shape = Shape {
-        states: Width::of(tables.states.saturating_sub(1)),
-        layout: Layout::of(numbers(tables, &owed)),
-    };
+    let columns = rows.columns().into_iter().chain(rows.codes());
+    let numbers: usize = columns.map(|column| column.numbers().len()).sum();
+    let layout = Layout::of(numbers + owed.set.len() + owed.words.len());
     let version = number(FORMAT_VERSION);
-    let marker = marker(tables, idents, shape);
+    let marker = marker(tables, idents, rows);
     let owed_fn = owed.function();
-    let statics = statics(tables, idents, shape);
-    let owed = owed.statics(shape.layout);
+    let statics = rows.statics(layout);
+    let codes = codes(tables, idents, rows, layout);
+    let owed = owed.statics(layout);
     quote! {
         /// Version of the meaning of these tables.
         pub const FORMAT_VERSION: u32 = #version;
@@ -36,42 +36,17 @@ pub(super) fn items(tables: &Tables, idents: &Idents) -> TokenStream {
         #marker
         #owed_fn
         #statics
+        #codes
         #owed
     }
 }
 
-/// What all columns have in common.
-#[derive(Clone, Copy)]
-struct Shape {
-    states: Width,
-    layout: Layout,
-}
-
-impl Shape {
-    fn mapping(self, mapping: &Mapping) -> (TokenStream, TokenStream) {
-        let ty = self.layout.ty(self.states, mapping.source.len());
-        let source = self.layout.value(self.states, &mapping.source);
-        let target = self.layout.value(self.states, &mapping.target);
-        (
-            quote!(::controller_template::Mapping<#ty>),
-            quote!(::controller_template::Mapping::new(#source, #target)),
-        )
-    }
-}
-
-/// How many numbers all columns have.
-fn numbers(tables: &Tables, owed: &Owed) -> usize {
-    let rows = tables.events.iter().map(|table| table.mapping.source.len()).sum::<usize>();
-    let steps = tables.super_steps.source.len() * (2 + tables.components.len());
-    2 * rows + steps + owed.set.len() + owed.words.len()
-}
-
 /// The marker type and its implementation of the runtime's trait.
-fn marker(tables: &Tables, idents: &Idents, shape: Shape) -> TokenStream {
-    let state = shape.states.ty();
+fn marker(tables: &Tables, idents: &Idents, rows: &dyn Rows) -> TokenStream {
+    let state = Width::of(tables.states.saturating_sub(1)).ty();
     let initial = number(tables.initial);
-    let environment = environment(tables, idents);
-    let super_step = super_step(tables, idents);
+    let environment = environment(tables, rows);
+    let super_step = super_step(tables, idents, rows);
     quote! {
         #[derive(Clone, PartialEq, Eq, Debug)]
         struct Tables;
@@ -97,27 +72,23 @@ fn marker(tables: &Tables, idents: &Idents, shape: Shape) -> TokenStream {
     }
 }
 
-fn environment(tables: &Tables, idents: &Idents) -> TokenStream {
-    let (with, without): (Vec<_>, Vec<_>) =
-        tables.events.iter().zip(&idents.events).partition(|(table, _)| !table.mapping.source.is_empty());
-    let state = if with.is_empty() { quote!(_) } else { quote!(state) };
-    let variants = with.iter().map(|(_, names)| &names.variant);
-    let mappings = with.iter().map(|(_, names)| &names.mapping);
-    let never = (!without.is_empty()).then(|| {
-        let variants = without.iter().map(|(_, names)| &names.variant);
-        quote!(#(Event::#variants)|* => ::core::option::Option::None,)
-    });
-    quote! {
-        fn environment(event: Event, #state: Self::State) -> ::core::option::Option<Self::State> {
-            match event {
-                #(Event::#variants => #mappings.lookup(state),)*
-                #never
+fn environment(tables: &Tables, rows: &dyn Rows) -> TokenStream {
+    if tables.events.iter().all(|table| table.mapping.source.is_empty()) {
+        return quote! {
+            fn environment(_: Event, _: Self::State) -> ::core::option::Option<Self::State> {
+                ::core::option::Option::None
             }
+        };
+    }
+    let target = rows.environment();
+    quote! {
+        fn environment(event: Event, state: Self::State) -> ::core::option::Option<Self::State> {
+            #target
         }
     }
 }
 
-fn super_step(tables: &Tables, idents: &Idents) -> TokenStream {
+fn super_step(tables: &Tables, idents: &Idents, rows: &dyn Rows) -> TokenStream {
     if tables.super_steps.source.is_empty() {
         return quote! {
             fn super_step(_: Self::State) -> ::core::option::Option<(Self::State, Commands)> {
@@ -125,51 +96,33 @@ fn super_step(tables: &Tables, idents: &Idents) -> TokenStream {
             }
         };
     }
+    let (find, target) = rows.super_step();
     let fields = idents.components.iter().map(|component| &component.field);
     let commands = idents.components.iter().map(|component| &component.command);
     let codes = idents.components.iter().map(|component| &component.codes);
     quote! {
         fn super_step(state: Self::State) -> ::core::option::Option<(Self::State, Commands)> {
-            let row = SUPER_STEPS.row(state)?;
+            #find
             let commands = Commands {
                 #(#fields: #commands::from_code(::controller_template::Column::get(&#codes, row)?),)*
             };
-            ::core::option::Option::Some((SUPER_STEPS.target(row)?, commands))
+            ::core::option::Option::Some((#target?, commands))
         }
     }
 }
 
-/// A mapping function per event that has rows, one of the super steps, and the codes of every component.
-fn statics(tables: &Tables, idents: &Idents, shape: Shape) -> TokenStream {
-    let events =
-        tables.events.iter().zip(&idents.events).filter(|(table, _)| !table.mapping.source.is_empty()).map(
-            |(table, names)| {
-                let doc = format!(" {}", code(&table.event.text));
-                let name = &names.mapping;
-                let (ty, value) = shape.mapping(&table.mapping);
-                quote!(#[doc = #doc] static #name: #ty = #value;)
-            },
-        );
-    let steps = (!tables.super_steps.source.is_empty()).then(|| {
-        let (ty, value) = shape.mapping(&tables.super_steps);
-        let codes = tables.components.iter().zip(&idents.components).map(|(table, names)| {
-            let doc = format!(" Codes that super steps command to {}; 0 is none.", code(&table.object));
-            let name = &names.codes;
-            let width = code_width(table);
-            let ty = shape.layout.ty(width, table.codes.len());
-            let value = shape.layout.value(width, &table.codes);
-            quote!(#[doc = #doc] static #name: #ty = #value;)
-        });
-        quote! {
-            /// Super steps.
-            static SUPER_STEPS: #ty = #value;
-            #(#codes)*
-        }
-    });
-    quote! {
-        #(#events)*
-        #steps
+/// Per component the codes that super steps command.
+fn codes(tables: &Tables, idents: &Idents, rows: &dyn Rows, layout: Layout) -> TokenStream {
+    if tables.super_steps.source.is_empty() {
+        return quote!();
     }
+    let items = tables.components.iter().zip(&idents.components).zip(rows.codes());
+    let items = items.map(|((table, names), column)| {
+        let doc = format!(" Codes that super steps command to {}; 0 is none.", code(&table.object));
+        let (name, ty, value) = (&names.codes, column.ty(layout), column.value(layout));
+        quote!(#[doc = #doc] static #name: #ty = #value;)
+    });
+    quote!(#(#items)*)
 }
 
 /// Which events are owed in which state: the distinct sets, and per state the number of its set.
