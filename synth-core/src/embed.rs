@@ -185,7 +185,8 @@ mod tests {
              controllable {{ Control }} collaboration C {{ {scenarios} }} }}"
         );
         let tokens: TokenStream = text.parse().expect("tokens");
-        let shown = inline(&tokens, Expander::Editor, &mut |_| Err(String::new())).to_string();
+        let shown =
+            inline(&tokens, Engine::default(), Expander::Editor, &mut |_| Err(String::new())).to_string();
         for part in
             ["the limit of 10000 states was reached", "move it to a build script", "goes on to 100000"]
         {

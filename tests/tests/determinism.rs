@@ -12,6 +12,7 @@ use synth_core::controller::json::to_json;
 use synth_core::controller::tables::{Provenance, Tables};
 use synth_core::diagnostic;
 use synth_core::embed::{self, Expander};
+use synth_core::emit::rust::Engine;
 use synth_core::emit::{dot, mermaid, rust, st};
 use synth_core::pipeline::{Failure, Options, Timings, compile, specification, synthesize};
 use synth_core::syntax::{FileId, load_imports, parse_tokens};
@@ -116,10 +117,17 @@ fn from_tokens_and_from_a_file() {
         assert_eq!(Tables { provenance, ..inline }, file, "{}", entry.name);
 
         let mut read = |path: &str| Err(format!("{path}: the corpus imports nothing"));
-        let inline = embed::inline(&tokens, Expander::Compiler, &mut read).to_string();
+        let inline = embed::inline(&tokens, Engine::default(), Expander::Compiler, &mut read).to_string();
         let bytes = entry.text.as_bytes();
-        let file =
-            embed::file("spec.sml", bytes, Span::call_site(), Expander::Compiler, &mut read).to_string();
+        let file = embed::file(
+            "spec.sml",
+            bytes,
+            Span::call_site(),
+            Engine::default(),
+            Expander::Compiler,
+            &mut read,
+        )
+        .to_string();
         assert_eq!(inline, file, "{}", entry.name);
         compared += 1;
     }
