@@ -4,6 +4,8 @@ mod fixture;
 mod reader;
 
 use fixture::{any_options, any_tables, event, lamp};
+use std::collections::BTreeSet;
+
 use proptest::prelude::*;
 use reader::{Arrays, arrays, lint, tokens, without_comments};
 use synth_core::controller::Event;
@@ -316,6 +318,37 @@ fn interface_and_outputs_keep_their_names() {
     let names = st::names(&tables, &Options::default());
     assert_eq!(names.events[0].1, "state_no_2");
     assert_eq!((&*names.events[1].1, &*names.components[0].output), ("lamp_cmd", "lamp_cmd_2"));
+}
+
+/// The names between `VAR` and `END_VAR` of the function block.
+fn declared(text: &str) -> BTreeSet<String> {
+    let block = &text[text.find("FUNCTION_BLOCK").unwrap()..text.find("END_FUNCTION_BLOCK").unwrap()];
+    let tokens = tokens(block);
+    let names = tokens.windows(2).filter(|pair| pair[1] == ":").map(|pair| pair[0].clone());
+    names.filter(|name| name.starts_with(|c: char| c.is_ascii_alphabetic())).collect()
+}
+
+/// Whatever the text declares for itself, no event gets that name.
+#[test]
+fn no_input_has_the_name_of_a_variable() {
+    let interface = ["button_control_press", "clock_control_tick_m1", "lamp_cmd"];
+    let mut seen = BTreeSet::new();
+    for target in Target::ALL {
+        for (encoding, drain) in [(Encoding::Runs, true), (Encoding::Rows, false)] {
+            let options = Options { target, encoding, drain, owed: true, retain: true, ..Options::default() };
+            for name in declared(&written(&lamp(), &options)) {
+                if interface.contains(&name.as_str()) || name.contains("_control_") || name == "lampTarget" {
+                    continue;
+                }
+                let mut tables = lamp();
+                tables.events = vec![fixture::table(&name, &[], &[])];
+                let names = st::names(&tables, &options);
+                assert_eq!(names.events[0].1, format!("{name}_2"), "{}", target.name());
+                seen.insert(name);
+            }
+        }
+    }
+    assert!(seen.len() > 25, "{seen:?}");
 }
 
 #[test]
