@@ -406,7 +406,8 @@ fn small_tables_are_arrays_and_large_ones_bytes() {
 fn the_benchmark_is_fresh() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../controller-template/benches/step/bench.rs");
     let size = Size { states: 150, events: 7, rows: 60, components: 3 };
-    let text = text(&tables::random("bench", size, 1), &Options::default());
+    let options = Options { engine: Engine::Comb, ..Options::default() };
+    let text = text(&tables::random("bench", size, 1), &options);
     let (_, module) = text.split_once("\n\n").expect("a header");
     let fresh = format!("// From tables at random, written by the tests of the Rust back end.\n\n{module}");
     if std::env::var_os("SML_BLESS").is_some() {

@@ -15,7 +15,7 @@ use crate::controller::tables::Tables;
 /// How a module finds the row of a state. All do the same.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Engine {
-    /// [`Engine::Comb`], unless its tables are larger than those of [`Engine::Search`]; then [`Engine::Runs`].
+    /// [`Engine::Comb`], unless its tables are larger than those of [`Engine::Search`]; then that.
     #[default]
     Auto,
     /// Two arrays per event and a binary search, as published (Gritzner and Greenyer 2018, section 4): the reference.
@@ -87,7 +87,7 @@ pub(super) fn rows<'a>(engine: Engine, tables: &'a Tables, idents: &'a Idents) -
     match engine {
         Engine::Auto => {
             let (comb, search) = (comb::Comb::new(tables), search::Search::new(tables, idents));
-            if bytes(&comb) <= bytes(&search) { Box::new(comb) } else { rows(Engine::Runs, tables, idents) }
+            if bytes(&comb) <= bytes(&search) { Box::new(comb) } else { Box::new(search) }
         }
         Engine::Runs if tables.states <= runs::MOST_STATES => Box::new(runs::Runs::new(tables)),
         Engine::Runs | Engine::Search => Box::new(search::Search::new(tables, idents)),
