@@ -102,16 +102,19 @@ impl Template {
     }
 }
 
-/// What a component answers: per command the events (indices, ascending) that it owes after it and did not owe before.
-/// Events that no command leads to come by themselves.
+/// What follows a component's commands: per command the events (indices, ascending) that are owed after it and were not
+/// before, and that the component sends, or an object that no command goes to and that has no secondary of its own.
 pub(super) fn answers(tables: &Tables, component: &ComponentTable) -> Vec<Vec<u32>> {
+    let is_of_another = |event: &u32| {
+        let sender = &tables.events[*event as usize].event.sender;
+        *sender != component.object && tables.components.iter().any(|other| other.object == *sender)
+    };
     let mut answers = vec![Vec::new(); component.commands.len()];
     let steps = tables.super_steps.source.iter().zip(&tables.super_steps.target);
     for (&code, (&source, &target)) in component.codes.iter().zip(steps).filter(|(code, _)| **code != 0) {
         let before = &tables.owed[source as usize];
         let new = tables.owed[target as usize].iter().filter(|event| !before.contains(event));
-        let own = new.filter(|event| tables.events[**event as usize].event.sender == component.object);
-        answers[code as usize - 1].extend(own.copied());
+        answers[code as usize - 1].extend(new.copied().filter(|event| !is_of_another(event)));
     }
     for events in &mut answers {
         events.sort_unstable();

@@ -45,8 +45,8 @@ fn template(tables: &Tables, idents: &Idents, table: &ComponentTable, names: &Co
     let answers = answers(tables, table);
     for ((command, names), answers) in table.commands.iter().zip(&names.commands).zip(answers) {
         let _ = writeln!(text, "    /// {}", code(&command.text));
-        for event in answers {
-            let _ = writeln!(text, "    ///\n    /// Then [`Event::{}`] is owed.", variants[event as usize]);
+        for event in answers.into_iter().map(|event| event as usize).filter(|event| sent.contains(event)) {
+            let _ = writeln!(text, "    ///\n    /// Then [`Event::{}`] is owed.", variants[event]);
         }
         let _ = writeln!(
             text,

@@ -156,6 +156,8 @@ pub(super) struct Names {
     pub(super) search: String,
     pub(super) events: Vec<EventNames>,
     pub(super) components: Vec<OutputNames>,
+    /// The primary beside the instances of secondaries, in comments.
+    pub(super) primary: String,
     /// Per component.
     pub(super) secondaries: Vec<SecondaryNames>,
 }
@@ -190,6 +192,7 @@ impl Names {
             })
             .collect();
         let search = scope.claim(&specification, "_BinarySearch");
+        let primary = scope.claim("primary", "");
         let secondaries = tables
             .components
             .iter()
@@ -200,7 +203,7 @@ impl Names {
                 SecondaryNames { function_block, file, instance: scope.claim(&object, "") }
             })
             .collect();
-        Names { function_block, program, events_type, search, events, components, secondaries }
+        Names { function_block, program, events_type, search, events, components, primary, secondaries }
     }
 }
 

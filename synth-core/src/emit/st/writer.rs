@@ -126,6 +126,11 @@ impl Writer {
         }
     }
 
+    /// A line of a statement, as [`Writer::code`] has it, in a comment.
+    pub(super) fn comment_code(&mut self, line: &str) {
+        self.comment(&self.unmarked(line.to_owned()));
+    }
+
     /// `opening [ … ];`, several numbers a line.
     pub(super) fn array(&mut self, opening: impl Display, values: &[u32]) {
         let last = values.len().saturating_sub(1);
