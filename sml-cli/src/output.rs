@@ -5,6 +5,7 @@ use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use synth_core::emit::template;
 
 /// Writes a product to `path`, or to stdout if there is none or it is `-`.
 pub(crate) fn product(path: Option<&Path>, text: &str) -> Result<(), Failure> {
@@ -16,18 +17,33 @@ pub(crate) fn product(path: Option<&Path>, text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Refuses to write the product over the specification.
-pub(crate) fn refuse_input(output: Option<&Path>, input: &Path) -> Result<(), Failure> {
-    let same = |output: &Path| match (fs::canonicalize(output), fs::canonicalize(input)) {
-        (Ok(output), Ok(input)) => output == input && output.is_file(),
-        _ => false,
-    };
-    match output {
-        Some(output) if same(output) => {
-            Err(Failure::usage(format!("`{}` would be overwritten with the product", input.display())))
-        }
-        _ => Ok(()),
-    }
+/// Refuses to write the product over what people wrote: the specification, or a secondary that was a template.
+pub(crate) fn refuse(output: Option<&Path>, input: &Path) -> Result<(), Failure> {
+    let Some(output) = output.filter(|path| path.is_file()) else { return Ok(()) };
+    let is_input =
+        fs::canonicalize(output).is_ok_and(|output| fs::canonicalize(input).is_ok_and(|i| i == output));
+    let is_template =
+        || fs::read(output).is_ok_and(|bytes| template::is_template(&String::from_utf8_lossy(&bytes)));
+    if is_input || is_template() { Err(overwritten(output)) } else { Ok(()) }
+}
+
+/// What would be lost.
+pub(crate) fn overwritten(path: &Path) -> Failure {
+    Failure::usage(format!("`{}` would be overwritten with the product", path.display()))
+}
+
+/// Whether two paths name the same file, which need not be there.
+pub(crate) fn same(a: &Path, b: &Path) -> bool {
+    resolved(a) == resolved(b)
+}
+
+/// Without links, `.` and `..`, as far as there are such folders.
+fn resolved(path: &Path) -> PathBuf {
+    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    fs::canonicalize(&path).unwrap_or_else(|_| match (path.parent(), path.file_name()) {
+        (Some(folder), Some(name)) => resolved(folder).join(name),
+        _ => path,
+    })
 }
 
 /// Prints to stdout.

@@ -84,7 +84,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     if drawn_to_stdout && session.format() == Format::Json {
         return Err(Failure::usage("`--sequence -` and `--format json` cannot both go to stdout"));
     }
-    output::refuse_input(drawing, &arguments.file)?;
+    output::refuse(drawing, &arguments.file)?;
     let loaded = session.load(&arguments.file)?;
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;

@@ -1,6 +1,7 @@
 //! `sml export`: the controller in the language of a target.
 
 mod figures;
+mod stale;
 mod templates;
 
 use crate::failure::{Exit, Failure, nowhere};
@@ -9,18 +10,17 @@ use crate::session::Session;
 use crate::warnings::{self, Warnings};
 use crate::{input, output};
 use clap::ValueEnum;
+use stale::Found;
 use std::fmt;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use synth_core::controller::json::to_json;
 use synth_core::controller::tables::{Provenance, Tables};
 use synth_core::controller::{Controller, Level};
-use synth_core::diagnostic::{Code, Diagnostic};
+use synth_core::diagnostic::Code;
 use synth_core::emit::st::plcopen;
 use synth_core::emit::template::Template;
-use synth_core::emit::{dot, mermaid, rust, st};
+use synth_core::emit::{dot, mermaid, rust, shell, st};
 use synth_core::pipeline::provenance;
-use synth_core::syntax::Sources;
 
 /// Arguments of `sml export`.
 #[derive(Debug, clap::Args)]
@@ -213,7 +213,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
         ));
     }
     let level = arguments.minimize.level().map_err(Failure::unsupported)?;
-    output::refuse_input(arguments.output.as_deref(), &arguments.file)?;
+    output::refuse(arguments.output.as_deref(), &arguments.file)?;
     let loaded = session.load(&arguments.file)?;
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;
@@ -238,6 +238,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     } else {
         // The product comes last: if anything fails, it stays as it was.
         if let Some((folder, secondaries)) = &secondaries {
+            templates::refuse(arguments.output.as_deref(), folder, secondaries)?;
             templates::write(folder, secondaries, session)?;
         }
         output::product(arguments.output.as_deref(), &text)?;
@@ -286,31 +287,18 @@ fn check(
     text: &str,
     secondaries: Option<(&PathBuf, Vec<Template>)>,
 ) -> Result<(), Failure> {
-    let mut found = Vec::new();
+    let mut found = Found::default();
     if let Some(path) = arguments.file_written() {
-        found.extend(compare(path, text, arguments)?);
+        stale::compare(&mut found, path, text, || {
+            let output = shell::quoted(&path.display().to_string());
+            let file = shell::input(&input::name(&arguments.file));
+            format!("run `sml export {file} --target {} -o {output}` with the same options", arguments.target)
+        })?;
     }
     if let Some((folder, secondaries)) = secondaries {
-        found.extend(templates::check(folder, &secondaries)?);
+        templates::check(&mut found, folder, &secondaries)?;
     }
-    if found.is_empty() { Ok(()) } else { Err(Failure::all(Exit::No, found, Sources::new())) }
-}
-
-/// What is wrong with a file that is to hold `text`.
-fn compare(path: &Path, text: &str, arguments: &Arguments) -> Result<Option<Diagnostic>, Failure> {
-    let shown = path.display().to_string();
-    let what = match std::fs::read(path) {
-        Ok(bytes) if bytes == text.as_bytes() => return Ok(None),
-        Ok(_) => "is stale",
-        Err(error) if error.kind() == ErrorKind::NotFound => "is missing",
-        Err(error) => return Err(Failure::unreadable(&shown, &error)),
-    };
-    let help = format!(
-        "run `sml export {} --target {} -o {shown}` with the same options",
-        input::name(&arguments.file),
-        arguments.target
-    );
-    Ok(Some(nowhere(Code::Stale, format!("`{shown}` {what}")).help(help)))
+    found.failure()
 }
 
 impl Arguments {
@@ -319,14 +307,16 @@ impl Arguments {
         self.output.as_deref().filter(|path| path.as_os_str() != "-")
     }
 
-    /// The options that are not a target's own, as far as they change the controller.
+    /// The options that are not a target's own, as far as they change what is written.
     fn general_options(&self, session: &Session) -> String {
         let classic = if session.semantics().classic { " --classic" } else { "" };
         let level = match self.minimize.level() {
             Ok(Level::None) => " --minimize none",
             _ => "",
         };
-        format!("{classic}{level}")
+        let folder = self.templates.as_ref().map(|folder| shell::quoted(&folder.display().to_string()));
+        let templates = folder.map(|folder| format!(" --templates {folder}")).unwrap_or_default();
+        format!("{classic}{level}{templates}")
     }
 }
 

@@ -25,7 +25,7 @@ pub(crate) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
     let level = arguments.minimize.level().map_err(Failure::unsupported)?;
-    output::refuse_input(arguments.output.as_deref(), &arguments.file)?;
+    output::refuse(arguments.output.as_deref(), &arguments.file)?;
     let loaded = session.load(&arguments.file)?;
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;

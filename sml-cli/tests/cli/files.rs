@@ -89,5 +89,56 @@ fn check_tells_stale_from_fresh() {
     fs::write(&path, format!("{text} ")).expect("a file");
     let run = sml(&format!("{export} --check --format json"));
     assert_eq!((run.code, run.diagnostic().as_str()), (1, "SML0107"));
+    assert_eq!(run.json()["diagnostics"][0]["file"], path.display().to_string());
     assert_eq!(fs::read_to_string(&path).expect("a file"), format!("{text} "));
+}
+
+/// Version control may end lines with CR and LF.
+#[test]
+fn check_says_the_first_line_that_differs() {
+    let path = scratch("check_says_the_first_line_that_differs").join("memory.st");
+    let export = format!("export memory/spec.sml --target iec -o {}", path.display());
+    assert_eq!(sml(&export).code, 0);
+    let text = fs::read_to_string(&path).expect("a file");
+    fs::write(&path, text.replace('\n', "\r\n")).expect("a file");
+    assert_eq!(sml(&format!("{export} --check")).code, 0);
+    fs::write(&path, text.replacen("Controller ", "Controler ", 1)).expect("a file");
+    let run = sml(&format!("{export} --check"));
+    assert_eq!(run.code, 1);
+    for part in [":1", "line 1 is: `(* Controler Memory", "it would be: `(* Controller Memory"] {
+        assert!(run.stderr.contains(part), "{part}\n{}", run.stderr);
+    }
+}
+
+/// The command line that generates a file again can be pasted.
+#[test]
+fn command_lines_are_quoted_for_a_shell() {
+    let folder = scratch("command_lines_are_quoted_for_a_shell");
+    let spec = folder.join("my spec's.sml");
+    fs::copy(crate::support::specs().join("memory/spec.sml"), &spec).expect("a copy");
+    let shown = spec.display().to_string().replace('\'', r"'\''");
+    let templates = folder.join("my templates");
+    let mut command = crate::support::command("export --target iec -o");
+    command.arg(folder.join("it.st")).arg(&spec).arg("--templates").arg(&templates);
+    assert_eq!(crate::support::finish(&mut command).code, 0);
+    let text = fs::read_to_string(folder.join("it.st")).expect("a file");
+    let text = text.replace(" *)\n(* ", " ");
+    let line = format!("sml export '{shown}' --target iec --templates '{}' *)", templates.display());
+    assert!(text.contains(&line), "{line}\n{text}");
+    command.arg("--check");
+    assert_eq!(crate::support::finish(&mut command).code, 0);
+    fs::write(folder.join("it.st"), "").expect("a file");
+    let run = crate::support::finish(&mut command);
+    assert!(run.stderr.contains(&format!("run `sml export '{shown}' --target iec -o ")), "{}", run.stderr);
+}
+
+#[test]
+fn stdin_is_a_dash_in_command_lines() {
+    let text = fs::read(crate::support::specs().join("memory/spec.sml")).expect("the corpus exists");
+    let run = crate::support::sml_reading("export - --target iec", &text);
+    assert!(run.stdout.contains("sml export - --target iec *)"), "{}", run.stdout);
+    let folder = scratch("stdin_is_a_dash_in_command_lines");
+    let check = format!("export - --target iec --check -o {}/missing.st", folder.display());
+    let run = crate::support::sml_reading(&check, &text);
+    assert!(run.stderr.contains("run `sml export - --target iec -o"), "{}", run.stderr);
 }

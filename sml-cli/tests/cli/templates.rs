@@ -232,3 +232,53 @@ fn an_unrealizable_specification_gets_no_templates() {
     assert_eq!(run.code, 1);
     assert!(!dir.exists());
 }
+
+/// Whatever a template is called in `-o`, it stays; so does one of another specification.
+#[test]
+fn a_product_never_replaces_a_template() {
+    let cell = Cell::new("a_product_never_replaces_a_template");
+    let folder = cell.folder.display().to_string();
+    let output = |path: &str| cell.export(&format!("-o {folder}/{path}"));
+    // Before there is any, and beside a folder that is not there yet.
+    let template = format!("plc/secondaries/{}", FILES[2]);
+    check(&output(&template), 2, &["would be overwritten"]);
+    assert!(!cell.templates().exists());
+    check(&output("cell.st"), 0, &[]);
+    let before = cell.read(FILES[2]);
+    for path in [template.clone(), format!("plc/./secondaries/../secondaries/{}", FILES[2])] {
+        check(&output(&path), 2, &["would be overwritten"]);
+        check(&sml(&format!("export {folder}/cell.sml --target iec -o {folder}/{path}")), 2, &[FILES[2]]);
+        check(&sml(&format!("synth memory/spec.sml -o {folder}/{path}")), 2, &[FILES[2]]);
+    }
+    assert_eq!(cell.read(FILES[2]), before);
+    // A product may be replaced, and so may a file that says nothing.
+    check(&output("cell.st"), 0, &[]);
+    fs::write(cell.folder.join("other.st"), "FUNCTION_BLOCK x").expect("a file");
+    check(&output("other.st"), 0, &[]);
+}
+
+#[test]
+fn a_list_that_is_not_that_of_its_fingerprint_is_stale() {
+    let cell = Cell::new("a_list_that_is_not_that_of_its_fingerprint");
+    check(&cell.export(""), 0, &[]);
+    let edited =
+        cell.read(FILES[2]).replace("- command 1: controller -> press.startPressing()", "- command 1: x()");
+    fs::write(cell.templates().join(FILES[2]), edited).expect("a file");
+    let parts = ["is stale", "gone: command 1: x()", "new: command 1: controller -> press.startPressing()"];
+    check(&cell.export("--check"), 1, &parts);
+}
+
+#[test]
+fn watchdogs_are_wired_where_the_primary_has_owed() {
+    let cell = Cell::new("watchdogs_are_wired");
+    check(&cell.export("--owed"), 0, &[]);
+    let [with, without] = ["--owed", ""].map(|option| {
+        check(&cell.export(option), 0, &[]);
+        let text = cell.read(FILES[2]);
+        fs::remove_dir_all(cell.templates()).expect("it is there");
+        text
+    });
+    assert!(with.contains("_owed := primary.owed[") && !with.contains("--owed"), "{with}");
+    let (_, apart) = without.split_once("needs a primary exported with --owed").expect("it says so");
+    assert!(apart.contains("_owed := primary.owed["), "{without}");
+}

@@ -57,7 +57,8 @@ pub struct Provenance {
     pub file: String,
     /// FNV-1a of all input text, 16 hex digits.
     pub hash: String,
-    /// Options that made another controller of it than the defaults would, each with a space in front.
+    /// Options beside those of the target, as in a command line, each with a space in front: those that made another
+    /// controller of it than the defaults would, and where templates went.
     pub options: String,
     /// Every scenario in textual order.
     pub requirements: Vec<Requirement>,

@@ -5,5 +5,6 @@ pub mod dot;
 pub mod mermaid;
 pub mod names;
 pub mod rust;
+pub mod shell;
 pub mod st;
 pub mod template;

@@ -30,7 +30,7 @@ pub struct Interface {
 pub enum Stale {
     /// Its head does not say what it was written for.
     Unknown,
-    /// It was written for another interface; both lists are empty if only its fingerprint says so.
+    /// It was written for another interface; both lists are empty if only its fingerprint, or their order, says so.
     Changed {
         /// Entries that it does not know.
         new: Vec<String>,
@@ -39,6 +39,8 @@ pub enum Stale {
     },
 }
 
+/// How the first line of a template begins.
+const OPENING: &str = "Secondary of ";
 const HEAD: &str = "Interface ";
 const END: &str = "End of the interface.";
 
@@ -95,11 +97,18 @@ impl Template {
     #[must_use]
     pub fn stale(&self, text: &str) -> Option<Stale> {
         let Some((fingerprint, written_for)) = Interface::read(text) else { return Some(Stale::Unknown) };
-        (fingerprint != self.interface.fingerprint()).then(|| Stale::Changed {
+        let own = self.interface.fingerprint();
+        (fingerprint != own || written_for.fingerprint() != own).then(|| Stale::Changed {
             new: self.interface.without(&written_for),
             gone: written_for.without(&self.interface),
         })
     }
+}
+
+/// Whether a text looks like a template that has been written: it says so in its head.
+#[must_use]
+pub fn is_template(text: &str) -> bool {
+    text.lines().map(uncommented).any(|line| line.starts_with(OPENING)) && Interface::read(text).is_some()
 }
 
 /// What follows a component's commands: per command the events (indices, ascending) that are owed after it and were not
@@ -130,7 +139,7 @@ fn bare(entry: &str) -> String {
 
 /// A line without the marks of a comment around it.
 fn uncommented(line: &str) -> &str {
-    let line = line.trim();
+    let line = line.trim_start_matches('\u{feff}').trim();
     let line = line.strip_prefix("(*").or_else(|| line.strip_prefix("//")).unwrap_or(line);
     line.strip_suffix("*)").unwrap_or(line).trim()
 }
@@ -193,6 +202,21 @@ mod tests {
         let text = template(&["a", "b b"]).text;
         let own = template(&["a", "b b"]).interface.fingerprint();
         check(&text.replace(&own, &other), Some(&changed(&[], &[])));
-        check(&format!("(* Interface {own} *)"), None);
+        check(&format!("(* Interface {own} *)"), Some(&changed(&["a", "b b"], &[])));
+    }
+
+    #[test]
+    fn the_list_has_to_be_that_of_the_fingerprint() {
+        let text = template(&["a", "b b"]).text;
+        check(&text.replace("- a", "- c"), Some(&changed(&["a"], &["c"])));
+        check(&text.replace("(* - a *)\n", ""), Some(&changed(&["a"], &[])));
+    }
+
+    #[test]
+    fn templates_are_known_by_their_heads() {
+        let text = template(&["a"]).text;
+        assert!(is_template(&format!("(* Mine. *)\n(* Secondary of arm, to be filled in *)\n{text}")));
+        assert!(is_template(&format!("\u{feff}// Secondary of arm, to be filled in\n{text}")));
+        assert!(!is_template(&text) && !is_template("(* Secondary of arm *)"));
     }
 }

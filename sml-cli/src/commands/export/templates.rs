@@ -1,6 +1,7 @@
 //! `--templates DIR`: templates of secondaries, each written once; later runs only look whether it still fits.
 
 use super::Target;
+use super::stale::Found;
 use crate::failure::{Failure, nowhere};
 use crate::output;
 use crate::session::Session;
@@ -10,7 +11,6 @@ use synth_core::controller::tables::Tables;
 use synth_core::diagnostic::{Code, Diagnostic, Severity, render};
 use synth_core::emit::template::{Stale, Template};
 use synth_core::emit::{rust, st};
-use synth_core::syntax::Sources;
 
 /// The templates for a target that has them, or why it cannot hold the controller.
 pub(super) fn of(target: Target, tables: &Tables, options: &st::Options) -> Result<Vec<Template>, String> {
@@ -20,47 +20,59 @@ pub(super) fn of(target: Target, tables: &Tables, options: &st::Options) -> Resu
     st::templates(tables, options).map_err(|unfit| unfit.to_string())
 }
 
+/// Refuses to write the product where a template is to stand.
+pub(super) fn refuse(output: Option<&Path>, folder: &Path, templates: &[Template]) -> Result<(), Failure> {
+    let Some(output) = output.filter(|path| path.as_os_str() != "-") else { return Ok(()) };
+    let is_template = templates.iter().any(|template| output::same(output, &folder.join(&template.file)));
+    if is_template { Err(output::overwritten(output)) } else { Ok(()) }
+}
+
 /// Writes those that are missing, and warns of those that are stale.
 pub(super) fn write(folder: &Path, templates: &[Template], session: &Session) -> Result<(), Failure> {
     let unwritable = |path: &Path, error| Failure::unwritable(&path.display().to_string(), &error);
-    let mut warnings = Vec::new();
+    let mut warnings = Found::default();
     for template in templates {
         let path = folder.join(&template.file);
         match read(&path)? {
-            Some(text) => warnings.extend(stale(&path, template, &text).map(|mut one| {
-                one.severity = Severity::Warning;
-                one
-            })),
+            Some(text) => {
+                if let Some(diagnostic) = stale(&path, template, &text) {
+                    warnings.add(&path, 1, Diagnostic { severity: Severity::Warning, ..diagnostic });
+                }
+            }
             None => {
                 std::fs::create_dir_all(folder).map_err(|error| unwritable(folder, error))?;
                 output::create(&path, &template.text).map_err(|error| unwritable(&path, error))?;
             }
         }
     }
-    if !warnings.is_empty() {
-        let text = render(&warnings, &Sources::new(), session.color(&std::io::stderr()));
+    if !warnings.diagnostics.is_empty() {
+        let text = render(&warnings.diagnostics, &warnings.sources, session.color(&std::io::stderr()));
         output::note(text.trim_end());
     }
     Ok(())
 }
 
 /// What is missing or stale.
-pub(super) fn check(folder: &Path, templates: &[Template]) -> Result<Vec<Diagnostic>, Failure> {
-    let mut found = Vec::new();
+pub(super) fn check(found: &mut Found, folder: &Path, templates: &[Template]) -> Result<(), Failure> {
     for template in templates {
         let path = folder.join(&template.file);
         match read(&path)? {
-            Some(text) => found.extend(stale(&path, template, &text)),
+            Some(text) => {
+                if let Some(diagnostic) = stale(&path, template, &text) {
+                    found.add(&path, 1, diagnostic);
+                }
+            }
             None => {
                 let missing = nowhere(Code::Stale, format!("`{}` is missing", path.display()));
-                found.push(missing.help(format!(
+                let help = format!(
                     "run the same without `--check` to write a template of the secondary of `{}`",
                     template.object
-                )));
+                );
+                found.add(&path, 1, missing.help(help));
             }
         }
     }
-    Ok(found)
+    Ok(())
 }
 
 /// The text of a file; none if there is none.

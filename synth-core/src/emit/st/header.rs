@@ -5,6 +5,7 @@ use super::names::{NameMap, STATE_NO};
 use super::writer::Writer;
 use super::{Encoding, Integers, Options, Trigger, Unexpected, bound};
 use crate::controller::tables::{FORMAT_VERSION, Requirement, Tables};
+use crate::emit::shell;
 
 /// What stands at the top, a line each; empty ones part paragraphs.
 #[derive(Default)]
@@ -58,7 +59,7 @@ fn origin(out: &mut Header, block: &Block<'_>, target: &str, notes: &[&str]) {
     out.comment(&format!("Specification: {}, input hash {}", provenance.file, provenance.hash));
     out.comment(&format!(
         "To generate it again: sml export {}{}{}",
-        provenance.file,
+        shell::input(&provenance.file),
         arguments(target, block.options),
         provenance.options
     ));
