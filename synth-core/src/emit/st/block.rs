@@ -15,6 +15,8 @@ use crate::controller::tables::{Mapping, Tables};
 pub(super) struct Block<'a> {
     pub(super) tables: &'a Tables,
     pub(super) options: &'a Options,
+    /// The target as on the command line.
+    pub(super) argument: &'static str,
     pub(super) names: Names,
     pub(super) types: Types,
     pub(super) runs: Runs,
@@ -32,7 +34,8 @@ impl<'a> Block<'a> {
         let layout = options.target.dialect().layout(options.encoding);
         let owed = options.owed.then(|| Owed::new(&tables.owed)).filter(|owed| !owed.is_empty());
         let types = Types::of(tables, options.integers, layout.largest_index(tables, &runs), owed.as_ref())?;
-        Ok(Block { tables, options, names: Names::new(tables, options.target), types, runs, owed })
+        let (argument, names) = (options.target.name(), Names::new(tables, options.target));
+        Ok(Block { tables, options, argument, names, types, runs, owed })
     }
 }
 

@@ -152,7 +152,7 @@ pub fn text(tables: &Tables, options: &Options) -> Result<String, Unfit> {
     let block = Block::new(tables, options)?;
     let Dialect { frame, notes, .. } = block.dialect();
     let mut out = Writer::new(*frame);
-    header::header(&block, options.target.name(), notes).write(&mut out);
+    header::header(&block, notes).write(&mut out);
     frame.declare_events(&mut out, &block.names, &block.events_array());
     for unit in block.units().iter().chain([&program::unit(&block)]) {
         frame.unit(&mut out, unit);

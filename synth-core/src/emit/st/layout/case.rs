@@ -5,6 +5,7 @@ use crate::controller::runs::Runs;
 use crate::controller::tables::Tables;
 use crate::emit::st::block::Block;
 use crate::emit::st::bound::{Cost, LayoutCost};
+use crate::emit::st::header;
 use crate::emit::st::unit::{Declarations, Section, Unit};
 use crate::emit::st::writer::Writer;
 
@@ -24,6 +25,7 @@ impl Layout for CaseLayout {
 
     fn variables(&self, out: &mut Section, block: &Block<'_>) {
         if block.has_rows() {
+            header::reminder(out, block);
             out.variable("event", block.types.index);
             out.variable("next", block.types.index);
         }

@@ -6,6 +6,7 @@ use crate::controller::runs::Runs;
 use crate::controller::tables::{Mapping, Tables};
 use crate::emit::st::block::Block;
 use crate::emit::st::bound::{Cost, LayoutCost};
+use crate::emit::st::header;
 use crate::emit::st::integer::Integer;
 use crate::emit::st::names::EventNames;
 use crate::emit::st::unit::{Declarations, Section, Unit};
@@ -31,6 +32,7 @@ impl Layout for RowLayout {
         }
         let state = block.types.state;
         out.section(self.section, |out| {
+            header::reminder(out, block);
             for (_, mapping, names, text) in block.events() {
                 out.comment(text);
                 out.array(&names.source, state, &mapping.source);
@@ -49,7 +51,9 @@ impl Layout for RowLayout {
 
     fn variables(&self, out: &mut Section, block: &Block<'_>) {
         if block.has_rows() || block.has_super_steps() {
-            self.search.variables(out, block.types.index);
+            let mappings = block.events().map(|(_, mapping, ..)| mapping);
+            let several = mappings.chain([&block.tables.super_steps]).any(|mapping| mapping.source.len() > 1);
+            self.search.variables(out, block.types.index, several);
         }
     }
 

@@ -6,6 +6,7 @@ use crate::controller::runs::Runs;
 use crate::controller::tables::Tables;
 use crate::emit::st::block::Block;
 use crate::emit::st::bound::{Cost, LayoutCost};
+use crate::emit::st::header;
 use crate::emit::st::integer::Integer;
 use crate::emit::st::unit::{Declarations, Section, Unit};
 use crate::emit::st::writer::Writer;
@@ -17,6 +18,13 @@ pub(in crate::emit::st) struct RunLayout {
     /// The section of variables that holds the arrays.
     pub(in crate::emit::st) section: &'static str,
 }
+
+/// How the tables are read.
+const READING: [&str; 3] = [
+    "A run is consecutive states that have rows. A state's run is the last of the event with run_state <= state.",
+    "Its row is run_row[run] + state - run_state[run]; it has one if that is below run_row[run + 1].",
+    "Then event_base[event] + target[row] is the new state (a number instead of event_base for super steps).",
+];
 
 impl Layout for RunLayout {
     fn functions<'a>(&self, block: &'a Block<'_>) -> Vec<Unit<'a>> {
@@ -31,6 +39,10 @@ impl Layout for RunLayout {
         }
         let (state, index) = (block.types.state, block.types.index);
         out.section(self.section, |out| {
+            header::reminder(out, block);
+            for line in READING {
+                out.comment(line);
+            }
             if block.has_rows() {
                 out.comment("per event its first run; behind them, that of the super steps");
                 out.array("event_run", index, &runs.first[..runs.base.len()]);
@@ -60,7 +72,9 @@ impl Layout for RunLayout {
         if block.has_rows() {
             out.variable("event", index);
         }
-        self.search.variables(out, index);
+        // An event may have several runs, whatever it has.
+        let several = block.has_rows() || runs_of_super_steps(block) > 1;
+        self.search.variables(out, index, several);
         out.variable("row", index);
     }
 
@@ -100,7 +114,7 @@ impl Layout for RunLayout {
             array: "run_state",
             first: &first.to_string(),
             last: &(end - 1).to_string(),
-            several: end as u32 - first > 1,
+            several: runs_of_super_steps(block) > 1,
         };
         let of_run = if first == 0 { "#first".to_owned() } else { format!("#first - {first}") };
         self.search.find(out, block, &entries);
@@ -150,7 +164,7 @@ impl Layout for RunLayout {
         }
         if block.has_super_steps() {
             let components = block.names.components.len() as u64;
-            let count = u64::from(runs.count(events));
+            let count = u64::from(runs_of_super_steps(block));
             let drains = u64::from(block.drains());
             // `due`, `done`, and `IF NOT due` behind.
             let around = Cost::statements(1 + drains + u64::from(events > 0));
@@ -174,6 +188,10 @@ impl RunLayout {
     fn is_total(&self, block: &Block<'_>) -> bool {
         (0..block.names.events.len()).all(|event| block.runs.count(event) > 0)
     }
+}
+
+fn runs_of_super_steps(block: &Block<'_>) -> u32 {
+    block.runs.count(block.names.events.len())
 }
 
 /// Statements for the case that the run `first` has the state; `row` is its row then.

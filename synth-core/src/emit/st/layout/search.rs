@@ -22,8 +22,8 @@ pub(in crate::emit::st) trait Search: Sync {
     /// What it calls. All arrays have up to `length` entries, if their type must say it.
     fn functions<'a>(&self, block: &'a Block<'_>, length: Option<usize>) -> Vec<Unit<'a>>;
 
-    /// Its variables in the function block.
-    fn variables(&self, out: &mut Section, index: Integer);
+    /// Its variables in the function block; unless `several`, no [`Entries`] are.
+    fn variables(&self, out: &mut Section, index: Integer, several: bool);
 
     fn find(&self, out: &mut Writer, block: &Block<'_>, entries: &Entries<'_>);
 
@@ -58,9 +58,11 @@ impl Search for Inline {
         Vec::new()
     }
 
-    fn variables(&self, out: &mut Section, index: Integer) {
-        for name in ["first", "last", "middle"] {
-            out.variable(name, index);
+    fn variables(&self, out: &mut Section, index: Integer, several: bool) {
+        out.variable("first", index);
+        if several {
+            out.variable("last", index);
+            out.variable("middle", index);
         }
     }
 
@@ -119,7 +121,7 @@ impl Search for Pointers {
         }]
     }
 
-    fn variables(&self, out: &mut Section, index: Integer) {
+    fn variables(&self, out: &mut Section, index: Integer, _: bool) {
         out.variable("first", index);
     }
 

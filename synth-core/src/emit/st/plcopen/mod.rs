@@ -87,7 +87,7 @@ impl Dialect {
 /// As [`text`](super::text).
 pub fn document(tables: &Tables, dialect: Dialect, options: &Options) -> Result<String, Unfit> {
     let options = &Options { target: dialect.target(), ..*options };
-    let block = Block::new(tables, options)?;
+    let block = Block { argument: dialect.argument(), ..Block::new(tables, options)? };
     let mut xml = Xml::new(dialect.paragraph());
     xml.element("project", &[("xmlns", NAMESPACE)], |xml| {
         headers(xml, tables);
@@ -129,7 +129,7 @@ fn data_types(xml: &mut Xml, block: &Block<'_>) {
 }
 
 fn units(xml: &mut Xml, block: &Block<'_>, dialect: Dialect) {
-    let header = header::header(block, dialect.argument(), dialect.notes());
+    let header = header::header(block, dialect.notes());
     for unit in block.units().iter().chain([&program::unit(block)]) {
         let lines = match unit.kind {
             Kind::FunctionBlock => header.lines.iter().map(String::as_str).collect(),
