@@ -21,6 +21,11 @@ impl Source {
     ///
     /// What the spelling or the grammar refuses.
     pub(crate) fn parse(text: &str, dialect: Dialect) -> Result<(Source, Tree), Vec<Error>> {
+        // TIA Portal takes a byte order mark for what it is; to the standard it is a character like any other.
+        let text = match dialect {
+            Dialect::Siemens => text.strip_prefix('\u{feff}').unwrap_or(text),
+            _ => text,
+        };
         let mut spelled = spelling::spell(text, dialect);
         let prelude = spelled.text.len() + 1;
         spelled.text.push('\n');

@@ -173,15 +173,18 @@ impl<'u> Running<'u> {
     #[must_use]
     pub fn program(unit: &'u Unit, tables: &Tables, options: &Options) -> Running<'u> {
         let names = st::names(tables, options);
-        let instance = match options.target {
-            Target::Siemens => unit.instance("Cyclic"),
-            _ => unit.configuration(),
+        let (instance, prefix) = match options.target {
+            Target::Siemens => {
+                let block = |word| unit.names().find(|name| name.contains(word)).expect("it is there");
+                (unit.instance(block("_Cyclic")), format!("{}.", block("_Main_DB")))
+            }
+            _ => (unit.configuration(), "Main0.".to_owned()),
         };
         let bound = st::bound(tables, options).expect("it fits");
         // Two calls at most, and an assignment for every output.
         let statements = bound.statements + 2 + names.components.len() as u64 + 4 + u64::from(options.owed);
         let instance = instance.expect("something runs the program");
-        Running::of(instance, &names, "Main0.", Cost { statements, ..bound })
+        Running::of(instance, &names, &prefix, Cost { statements, ..bound })
     }
 
     /// `prefix` stands before every name.

@@ -176,6 +176,24 @@ fn snapshots_of_options_and_templates() {
     }
 }
 
+/// TIA Portal takes a text without a byte order mark for one in the code page of Windows.
+#[test]
+fn only_scl_with_other_characters_than_ascii_has_a_byte_order_mark() {
+    let mut tables = lamp();
+    for plain in [true, false] {
+        for target in Target::ALL {
+            let options = Options { target, ..Options::default() };
+            let mut texts = vec![written(&tables, &options)];
+            texts.extend(st::templates(&tables, &options).expect("it fits").into_iter().map(|one| one.text));
+            for text in texts {
+                assert_eq!(text.starts_with('\u{feff}'), target == Target::Siemens && !plain, "{text}");
+            }
+        }
+        tables.provenance.file = "über.sml".to_owned();
+        tables.provenance.requirements.clear();
+    }
+}
+
 /// Names of events that are those of a template's own variables. Two events are only watched.
 #[test]
 fn templates_keep_names_apart() {

@@ -154,6 +154,10 @@ pub(super) struct Names {
     pub(super) events_type: String,
     /// The function that searches, where there is one.
     pub(super) search: String,
+    /// What holds the program, where that is a block of the project.
+    pub(super) data_block: String,
+    /// What runs it there.
+    pub(super) organization_block: String,
     pub(super) events: Vec<EventNames>,
     pub(super) components: Vec<OutputNames>,
     /// The primary beside the instances of secondaries, in comments.
@@ -203,7 +207,18 @@ impl Names {
                 SecondaryNames { function_block, file, instance: scope.claim(&object, "") }
             })
             .collect();
-        Names { function_block, program, events_type, search, events, components, primary, secondaries }
+        Names {
+            function_block,
+            program,
+            events_type,
+            search,
+            data_block: scope.claim(&specification, "_Main_DB"),
+            organization_block: scope.claim(&specification, "_Cyclic"),
+            events,
+            components,
+            primary,
+            secondaries,
+        }
     }
 }
 

@@ -6,7 +6,8 @@ use super::owed::OWED;
 use super::unit::{Declarations, Kind, Unit};
 use super::writer::Writer;
 
-/// What runs the program, except in SCL, which has its own. All names are [`Names`]' own.
+/// What runs the program, except in SCL, where blocks of several machines share one name space. All names are [`Names`]'
+/// own.
 pub(super) mod configuration {
     pub(in crate::emit::st) const NAME: &str = "Config0";
     pub(in crate::emit::st) const RESOURCE: &str = "Res0";

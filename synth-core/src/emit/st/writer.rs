@@ -14,17 +14,27 @@ pub(super) struct Writer {
     out: String,
     depth: usize,
     marks_locals: bool,
+    marks_bytes: bool,
     numbers_limit: usize,
 }
 
 impl Writer {
     /// For the text of a frame.
     pub(super) fn new(frame: &dyn Frame) -> Writer {
-        let (marks_locals, numbers_limit) = (frame.marks_locals(), frame.numbers_limit());
-        Writer { out: String::new(), depth: 0, marks_locals, numbers_limit }
+        Writer {
+            out: String::new(),
+            depth: 0,
+            marks_locals: frame.marks_locals(),
+            marks_bytes: frame.marks_bytes(),
+            numbers_limit: frame.numbers_limit(),
+        }
     }
 
-    pub(super) fn finish(self) -> String {
+    /// The text, after a byte order mark if the frame wants one.
+    pub(super) fn finish(mut self) -> String {
+        if self.marks_bytes && !self.out.is_ascii() {
+            self.out.insert(0, '\u{feff}');
+        }
         self.out
     }
 

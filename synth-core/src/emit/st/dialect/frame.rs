@@ -28,6 +28,9 @@ pub(in crate::emit::st) trait Frame: Sync {
     /// The function block that waits.
     fn timer(&self) -> &'static str;
 
+    /// Whether a text with other characters than those of ASCII needs a byte order mark.
+    fn marks_bytes(&self) -> bool;
+
     /// How the names of files end.
     fn extension(&self) -> &'static str;
 
@@ -91,6 +94,10 @@ impl Frame for Standard {
 
     fn timer(&self) -> &'static str {
         "TON"
+    }
+
+    fn marks_bytes(&self) -> bool {
+        false
     }
 
     fn extension(&self) -> &'static str {
@@ -161,6 +168,11 @@ impl Frame for Scl {
         "TON_TIME"
     }
 
+    // TIA Portal reads sources without one in the code page of Windows.
+    fn marks_bytes(&self) -> bool {
+        true
+    }
+
     // External source files of TIA Portal end so.
     fn extension(&self) -> &'static str {
         "scl"
@@ -194,8 +206,7 @@ impl Frame for Scl {
     }
 
     fn configuration(&self, out: &mut Writer, names: &Names) {
-        use configuration::{INSTANCE, TASK};
-        let (instance, task) = (quoted(INSTANCE), quoted(TASK));
+        let (instance, task) = (quoted(&names.data_block), quoted(&names.organization_block));
         out.line(format_args!("DATA_BLOCK {instance}"));
         out.line("{ S7_Optimized_Access := 'TRUE' }");
         out.line("VERSION : 0.1");

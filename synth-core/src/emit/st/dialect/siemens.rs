@@ -13,6 +13,6 @@ pub(super) static DIALECT: Dialect = Dialect {
     frame: &Scl,
     notes: &[
         "Add the file to the external source files of a project in TIA Portal, and generate blocks from it.",
-        "The organization block Cyclic runs in every cycle of the CPU; call Main0 from a cyclic interrupt for a fixed one.",
+        "The organization block runs in every cycle of the CPU; for a fixed one call the data block from a cyclic interrupt.",
     ],
 };
