@@ -175,8 +175,8 @@ impl<'u> Running<'u> {
         let names = st::names(tables, options);
         let (instance, prefix) = match options.target {
             Target::Siemens => {
-                let block = |word| unit.names().find(|name| name.contains(word)).expect("it is there");
-                (unit.instance(block("_Cyclic")), format!("{}.", block("_Main_DB")))
+                let block = unit.names().find(|name| name.contains("_Cyclic")).expect("something runs it");
+                (unit.instance(block), format!("{}_DB.", names.program))
             }
             _ => (unit.configuration(), "Main0.".to_owned()),
         };

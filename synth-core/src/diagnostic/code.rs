@@ -322,8 +322,8 @@ codes! {
         "In this state of the play the event is not one of those that can happen: it is not that side's turn, nobody\n\
          asks for it, or it would violate a scenario of its own side. The message lists those that can.\n";
     Stale = 107, "an output that is not up to date",
-        "`--check` compares a file with what would be written into it. They differ, or the file is missing. Export it\n\
-         again without `--check`. The exit code is 1.\n\n\
+        "`--check` compares a file with what would be written into it, but for CR at the ends of lines. They differ\n\
+         (the notes say where), or the file is missing. Export it again without `--check`. The exit code is 1.\n\n\
          A template of a secondary is stale when the specification no longer has the commands and events that the\n\
          head of the file lists; the notes say which are new and which are gone. It is yours and never overwritten:\n\
          adapt it by hand, then take over the head of a template that is written into another folder. Without\n\

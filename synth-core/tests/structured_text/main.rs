@@ -176,6 +176,17 @@ fn snapshots_of_options_and_templates() {
     }
 }
 
+#[test]
+fn what_retaining_takes_is_said_where_it_is_asked_for() {
+    for target in Target::ALL {
+        for retain in [false, true] {
+            let text = written(&lamp(), &Options { target, retain, ..Options::default() });
+            let says = text.contains("the whole instance in retained memory");
+            assert_eq!(says, retain && matches!(target, Target::Codesys | Target::Twincat), "{text}");
+        }
+    }
+}
+
 /// TIA Portal takes a text without a byte order mark for one in the code page of Windows.
 #[test]
 fn only_scl_with_other_characters_than_ascii_has_a_byte_order_mark() {

@@ -51,7 +51,7 @@ pub(super) fn reminder(out: &mut Section, block: &Block<'_>) {
 fn write(out: &mut Header, block: &Block<'_>, notes: &[&str]) {
     origin(out, block, notes);
     out.gap();
-    behaviour(out, block.options);
+    behaviour(out, block);
     cost(out, block);
     out.gap();
     name_map(out, &NameMap::new(block.tables, block.options.target, &block.names));
@@ -112,7 +112,8 @@ fn cost(out: &mut Header, block: &Block<'_>) {
     ));
 }
 
-fn behaviour(out: &mut Header, options: &Options) {
+fn behaviour(out: &mut Header, block: &Block<'_>) {
+    let options = block.options;
     out.comment(match options.trigger {
         Trigger::Edge => "An input raises its event in the call in which it becomes TRUE (trigger: edge).",
         Trigger::Level => "An input raises its event in every call in which it is TRUE (trigger: level).",
@@ -139,6 +140,7 @@ fn behaviour(out: &mut Header, options: &Options) {
         out.comment(
             "State and pending events survive a power cycle if the tables are the same afterwards (retain).",
         );
+        block.dialect().retaining.iter().for_each(|note| out.comment(note));
     }
     if options.integers == Integers::Signed {
         out.comment("No unsigned integer types are used (integers: signed).");

@@ -10,4 +10,5 @@ pub(super) static DIALECT: Dialect = Dialect {
     transitions: Transitions::Branches,
     frame: &Standard,
     notes: &[],
+    retaining: &[],
 };

@@ -11,4 +11,5 @@ pub(super) static DIALECT: Dialect = Dialect {
     transitions: Transitions::tables(&Inline, "VAR CONSTANT"),
     frame: &Standard,
     notes: &[],
+    retaining: &[],
 };

@@ -32,6 +32,8 @@ pub(super) struct Dialect {
     pub(super) frame: &'static dyn Frame,
     /// How to load the text, for the comment at its top.
     pub(super) notes: &'static [&'static str],
+    /// What there must be for variables to be retained, for the same comment.
+    pub(super) retaining: &'static [&'static str],
 }
 
 /// The layouts of a dialect.

@@ -15,4 +15,5 @@ pub(super) static DIALECT: Dialect = Dialect {
         "Add the file to the external source files of a project in TIA Portal, and generate blocks from it.",
         "The organization block runs in every cycle of the CPU; for a fixed one call the data block from a cyclic interrupt.",
     ],
+    retaining: &[],
 };

@@ -14,4 +14,7 @@ pub(super) static DIALECT: Dialect = Dialect {
     notes: &[
         "TwinCAT keeps each declaration as an object of its own. What CONFIGURATION says is set in the task's reference.",
     ],
+    retaining: &[
+        "TwinCAT keeps the whole instance in retained memory, tables included: there must be room for it.",
+    ],
 };

@@ -21,9 +21,9 @@ pub(in crate::emit::st) struct RunLayout {
 
 /// How the tables are read.
 const READING: [&str; 3] = [
-    "A run is consecutive states that have rows. A state's run is the last of the event with run_state <= state.",
-    "Its row is run_row[run] + state - run_state[run]; it has one if that is below run_row[run + 1].",
-    "Then event_base[event] + target[row] is the new state (a number instead of event_base for super steps).",
+    "A run is consecutive states with rows; take the event's last with run_state <= state.",
+    "row := run_row + state - run_state, valid if below the next run_row",
+    "new state := event_base + target[row] (super steps: + a number)",
 ];
 
 impl Layout for RunLayout {
