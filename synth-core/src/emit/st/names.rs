@@ -73,6 +73,9 @@ impl NameMap {
 /// The output with the number of the state.
 pub(super) const STATE_NO: &str = "state_no";
 
+/// The primary beside the instances of secondaries, in comments.
+pub(super) const PRIMARY: &str = "primary";
+
 /// The text's own names, those of the fixed interface first.
 const OWN: &[&str] = &[
     "enable",
@@ -102,7 +105,7 @@ const OWN: &[&str] = &[
     "owed_row",
     "owed_set",
     "previous",
-    "primary",
+    PRIMARY,
     "raised",
     "row",
     "run_row",
@@ -160,8 +163,6 @@ pub(super) struct Names {
     pub(super) organization_block: String,
     pub(super) events: Vec<EventNames>,
     pub(super) components: Vec<OutputNames>,
-    /// The primary beside the instances of secondaries, in comments.
-    pub(super) primary: String,
     /// Per component.
     pub(super) secondaries: Vec<SecondaryNames>,
 }
@@ -196,7 +197,6 @@ impl Names {
             })
             .collect();
         let search = scope.claim(&specification, "_BinarySearch");
-        let primary = scope.claim("primary", "");
         let secondaries = tables
             .components
             .iter()
@@ -216,7 +216,6 @@ impl Names {
             organization_block: scope.claim(&specification, "_Cyclic"),
             events,
             components,
-            primary,
             secondaries,
         }
     }

@@ -5,7 +5,7 @@
 
 use super::Trigger;
 use super::block::Block;
-use super::names::{Scope, SecondaryNames};
+use super::names::{PRIMARY, Scope, SecondaryNames};
 use super::owed::OWED;
 use super::unit::{Declarations, Kind, Type, Unit};
 use super::writer::Writer;
@@ -303,7 +303,7 @@ impl<'a> Secondary<'a> {
     /// enabled if they are.
     fn wiring(&self, out: &mut Writer) {
         let OwnNames { enable, reset, command, .. } = &self.own;
-        let (object, primary) = (&self.names.instance, &self.block.names.primary);
+        let (object, primary) = (&self.names.instance, PRIMARY);
         let frame = self.block.dialect().frame;
         let owed =
             self.events.iter().map(|event| format!("{} := #{primary}.{OWED}[{}]", event.owed, event.index));
