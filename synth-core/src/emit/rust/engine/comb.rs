@@ -7,7 +7,7 @@ use quote::quote;
 
 use super::super::columns::{Column, Layout, Width, number};
 use super::super::commands::code_width;
-use super::Rows;
+use super::{Rows, searched};
 use crate::controller::comb;
 use crate::controller::tables::{Mapping, Tables};
 
@@ -127,10 +127,7 @@ impl Rows for Comb {
     fn probes(&self) -> (u32, u32) {
         let super_step = match &self.super_steps {
             SuperSteps::Span(..) => 0,
-            SuperSteps::Mapping(source, _) => {
-                let rows = source.numbers().len();
-                rows.max(1).next_power_of_two().ilog2() + u32::from(rows > 0)
-            }
+            SuperSteps::Mapping(source, _) => searched(source.numbers().len()),
         };
         (u32::from(self.has_rows()), super_step)
     }

@@ -100,3 +100,8 @@ pub(super) fn bytes(rows: &dyn Rows) -> usize {
     let columns = rows.columns().into_iter().chain(rows.codes());
     columns.map(Column::bytes).sum::<usize>() + rows.further_bytes()
 }
+
+/// The most comparisons of a binary search in so many rows.
+fn searched(rows: usize) -> u32 {
+    rows.max(1).next_power_of_two().ilog2() + u32::from(rows > 0)
+}

@@ -7,7 +7,7 @@ use super::super::columns::{Column, Layout, Width};
 use super::super::commands::code_width;
 use super::super::docs::code;
 use super::super::idents::Idents;
-use super::Rows;
+use super::{Rows, searched};
 use crate::controller::tables::{Mapping, Tables};
 
 /// Sources, searched, and targets.
@@ -70,10 +70,7 @@ impl Rows for Search<'_> {
     }
 
     fn probes(&self) -> (u32, u32) {
-        let probes = |pair: &Pair| {
-            let rows = pair.source.numbers().len();
-            rows.max(1).next_power_of_two().ilog2() + u32::from(rows > 0)
-        };
+        let probes = |pair: &Pair| searched(pair.source.numbers().len());
         (self.events.iter().map(probes).max().unwrap_or(0), probes(&self.super_steps))
     }
 

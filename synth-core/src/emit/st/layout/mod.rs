@@ -4,6 +4,7 @@ pub(super) mod case;
 pub(super) mod rows;
 pub(super) mod runs;
 pub(super) mod search;
+mod step;
 
 use super::block::Block;
 use super::bound::LayoutCost;

@@ -2,12 +2,12 @@
 
 use super::Layout;
 use super::search::{Entries, Search};
+use super::step::{self, Place};
 use crate::controller::runs::Runs;
 use crate::controller::tables::{Mapping, Tables};
 use crate::emit::st::block::Block;
 use crate::emit::st::bound::{Cost, LayoutCost};
 use crate::emit::st::header;
-use crate::emit::st::integer::Integer;
 use crate::emit::st::names::EventNames;
 use crate::emit::st::unit::{Declarations, Section, Unit};
 use crate::emit::st::writer::Writer;
@@ -71,31 +71,8 @@ impl Layout for RowLayout {
 
     fn super_step(&self, out: &mut Writer, block: &Block<'_>) {
         self.find(out, block, "source", &block.tables.super_steps);
-        out.code("#due := #source[#first] = #state;");
-        if block.drains() {
-            out.code("#done := NOT #due;");
-            for component in &block.names.components {
-                let (output, codes) = (&component.output, &component.codes);
-                let again = [format!("#{output} <> 0"), format!("#{codes}[#first] <> 0")];
-                out.when_all(&again, |out| {
-                    out.code("#done := TRUE;");
-                });
-            }
-        }
-        out.when(if block.drains() { "NOT #done" } else { "#due" }, |out| {
-            for (names, codes) in block.components() {
-                let output = &names.output;
-                let code = codes.converted(Integer::Int, &format!("#{}[#first]", names.codes));
-                let command = [format!("#{output} :="), format!("{code};")];
-                if block.drains() {
-                    // A command of an earlier super step stays.
-                    out.when(format_args!("#{output} = 0"), |out| out.code_in_parts(&command));
-                } else {
-                    out.code_in_parts(&command);
-                }
-            }
-            out.code("#state := #target[#first];");
-        });
+        let place = Place { codes: "#first", target: "#target[#first]" };
+        step::write(out, block, &place, |out, inside| out.when("#source[#first] = #state", inside));
     }
 
     fn largest_index(&self, tables: &Tables, _: &Runs) -> u64 {
@@ -120,21 +97,7 @@ impl Layout for RowLayout {
             cost.event = Cost::statements(3);
         }
         if block.has_super_steps() {
-            let components = block.names.components.len() as u64;
-            let looked = compared(block.tables.super_steps.source.len());
-            if block.drains() {
-                // `done`, an `IF` per component that looks at its code, `IF NOT done`.
-                cost.seek = looked + Cost { statements: 2 + components, iterations: 0, probes: components };
-                // `state`, and per component an `IF` around its output.
-                cost.perform = Cost::statements(1 + 2 * components);
-                cost.leave = Cost::statements(components);
-            } else {
-                // `IF due`.
-                cost.seek = looked + Cost::statements(1);
-                cost.perform = Cost::statements(1 + components);
-            }
-            // `IF NOT due`, behind.
-            cost.seek += Cost::statements(u64::from(!block.names.events.is_empty()));
+            step::add_cost(&mut cost, block, compared(block.tables.super_steps.source.len()));
         }
         cost
     }

@@ -2,12 +2,12 @@
 
 use super::Layout;
 use super::search::{Entries, Search};
+use super::step::{self, Place};
 use crate::controller::runs::Runs;
 use crate::controller::tables::Tables;
 use crate::emit::st::block::Block;
 use crate::emit::st::bound::{Cost, LayoutCost};
 use crate::emit::st::header;
-use crate::emit::st::integer::Integer;
 use crate::emit::st::unit::{Declarations, Section, Unit};
 use crate::emit::st::writer::Writer;
 
@@ -118,24 +118,12 @@ impl Layout for RunLayout {
         };
         let of_run = if first == 0 { "#first".to_owned() } else { format!("#first - {first}") };
         self.search.find(out, block, &entries);
-        out.code("#due := FALSE;");
-        if block.drains() {
-            out.code("#done := TRUE;");
-        }
-        hit(out, block, |out| {
-            out.code("#due := TRUE;");
-            if block.drains() {
-                out.code("#done := FALSE;");
-                for names in &block.names.components {
-                    let again =
-                        [format!("#{} <> 0", names.output), format!("#{}[{of_run}] <> 0", names.codes)];
-                    out.when_all(&again, |out| out.code("#done := TRUE;"));
-                }
-                out.when("NOT #done", |out| perform(out, block, &of_run));
-            } else {
-                perform(out, block, &of_run);
-            }
-        });
+        let target = match runs.base.last() {
+            Some(base) if *base > 0 => format!("{base} + #target[#row]"),
+            _ => "#target[#row]".to_owned(),
+        };
+        let place = Place { codes: &of_run, target: &target };
+        step::write(out, block, &place, |out, inside| hit(out, block, inside));
     }
 
     fn largest_index(&self, tables: &Tables, runs: &Runs) -> u64 {
@@ -163,21 +151,8 @@ impl Layout for RunLayout {
             cost.event = Cost::statements(3);
         }
         if block.has_super_steps() {
-            let components = block.names.components.len() as u64;
             let count = u64::from(runs_of_super_steps(block));
-            let drains = u64::from(block.drains());
-            // `due`, `done`, and `IF NOT due` behind.
-            let around = Cost::statements(1 + drains + u64::from(events > 0));
-            cost.seek = self.search.cost(count, count > 1) + compared + around;
-            // `due`; when draining `done`, an `IF` per component that looks at its code, `IF NOT done`.
-            let decided = Cost {
-                statements: 1 + drains * (2 + components),
-                iterations: 0,
-                probes: drains * components,
-            };
-            // `state`, and per component its output, in an `IF` when draining.
-            cost.perform = decided + Cost::statements(1 + (1 + drains) * components);
-            cost.leave = decided + Cost::statements(components);
+            step::add_cost(&mut cost, block, self.search.cost(count, count > 1) + compared);
         }
         cost
     }
@@ -203,23 +178,4 @@ fn hit(out: &mut Writer, block: &Block<'_>, inside: impl FnOnce(&mut Writer)) {
         out.code(format_args!("#row := #run_row[#first] + {further};"));
         out.when("#row < #run_row[#first + 1]", inside);
     });
-}
-
-/// Does the super step of `row`.
-fn perform(out: &mut Writer, block: &Block<'_>, of_run: &str) {
-    for (names, integer) in block.components() {
-        let output = &names.output;
-        let code = integer.converted(Integer::Int, &format!("#{}[{of_run}]", names.codes));
-        let command = [format!("#{output} :="), format!("{code};")];
-        if block.drains() {
-            // A command of an earlier super step stays.
-            out.when(format_args!("#{output} = 0"), |out| out.code_in_parts(&command));
-        } else {
-            out.code_in_parts(&command);
-        }
-    }
-    match block.runs.base.last() {
-        Some(base) if *base > 0 => out.code(format_args!("#state := {base} + #target[#row];")),
-        _ => out.code("#state := #target[#row];"),
-    }
 }
