@@ -1,14 +1,14 @@
 //! Files of what is expected, `firmware/expected/TARGET/PROGRAM.{run,size,steps}`.
 //!
-//! Output must be equal, whatever compiled the program. Figures say which compiler they are of: with that one they must
-//! be equal, since nothing in them is left to chance; with another one, none may be larger by more than a tenth.
+//! Output must be equal, whatever compiled the program. Of figures, none may be larger by more than a tenth: they vary a
+//! little with the compiler, and by some bytes even with the folder that is built in. Files say which compiler they are of.
 
 use super::folders::Folders;
 use crate::failure::{At, Failure, Result};
 use std::fs;
 use std::path::PathBuf;
 
-/// How much larger figures of another compiler may be, in percent.
+/// How much larger figures may be, in percent.
 const TOLERANCE: u64 = 10;
 
 /// The files of one target.
@@ -71,14 +71,7 @@ fn indent(text: &str) -> String {
 
 /// The first line is the compiler's version.
 fn compare_figures(expected: &str, now: &str) -> std::result::Result<(), String> {
-    if expected == now {
-        return Ok(());
-    }
-    let (of, mine) = (expected.lines().next(), now.lines().next());
-    if of == mine {
-        return Err("figures have changed".to_owned());
-    }
-    let of = of.unwrap_or_default();
+    let of = expected.lines().next().unwrap_or_default();
     let (expected, now) = (words(expected), words(now));
     let is_other = |(expected, now): (&Word<'_>, &Word<'_>)| match (expected, now) {
         (Ok(_), Ok(_)) => false,
@@ -118,13 +111,8 @@ mod tests {
     }
 
     #[test]
-    fn figures_of_the_same_compiler_are_equal() {
+    fn figures_are_near() {
         check("rustc 1\ntext 100\n", "rustc 1\ntext 100\n", Ok(()));
-        check("rustc 1\ntext 100\n", "rustc 1\ntext 99\n", Err("figures have changed"));
-    }
-
-    #[test]
-    fn figures_of_another_compiler_are_near() {
         check("rustc 1\ntext 100\n", "rustc 2\ntext 110\n", Ok(()));
         check("rustc 1\ntext 100\n", "rustc 2\ntext 1\n", Ok(()));
         let why = "111 is more than 10 percent above 100, the figure of rustc 1";
