@@ -1,0 +1,35 @@
+//! Boolean conditions as an engineer writes them.
+
+/// A condition over atoms: signals in the formula of a state, states of automata in a constraint.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Condition<A> {
+    /// An atom.
+    Atom(A),
+    /// `!`
+    Not(Box<Condition<A>>),
+    /// `&&` of two or more.
+    And(Vec<Condition<A>>),
+    /// `||` of two or more.
+    Or(Vec<Condition<A>>),
+}
+
+impl<A> Condition<A> {
+    /// Its value where `holds` says what an atom is.
+    pub fn eval(&self, holds: &impl Fn(&A) -> bool) -> bool {
+        match self {
+            Condition::Atom(atom) => holds(atom),
+            Condition::Not(inner) => !inner.eval(holds),
+            Condition::And(all) => all.iter().all(|part| part.eval(holds)),
+            Condition::Or(any) => any.iter().any(|part| part.eval(holds)),
+        }
+    }
+
+    /// Calls `visit` for every atom, in textual order.
+    pub fn atoms(&self, visit: &mut impl FnMut(&A)) {
+        match self {
+            Condition::Atom(atom) => visit(atom),
+            Condition::Not(inner) => inner.atoms(visit),
+            Condition::And(parts) | Condition::Or(parts) => parts.iter().for_each(|part| part.atoms(visit)),
+        }
+    }
+}
