@@ -19,6 +19,7 @@ mod closed_loop;
 mod condition;
 mod model;
 mod program;
+pub mod remember;
 
 pub use closed_loop::ClosedLoop;
 pub use condition::Condition;
