@@ -43,8 +43,8 @@ impl fmt::Display for Code {
     }
 }
 
-// 1 to 19: lexis and syntax; 20 to 49: names and types; 50 to 69: play-out; 70 to 89: the game; 90 to 99: warnings; 100 up: the
-// command `sml`.
+// 1 to 19: lexis and syntax; 20 to 49: names and types; 50 to 69: play-out; 70 to 89: the game; 90 to 99: warnings; 100 to 119:
+// the command `sml`; 120 to 139: plants, with their warnings from 130; 140 up: what is made of plants.
 codes! {
     Lexical = 1, "text that is not a token",
         "The text contains a character that begins no token. SML uses the tokens of Rust, so that the same text can\n\
@@ -348,6 +348,82 @@ codes! {
          a name that does not exist would hold or fail for ever, so it is refused before anything is played.\n\n\
          Wrong:  expect enabeld user -> lamp.press()\n\
          Right:  expect enabled user -> lamp.press()\n";
+
+    InitialState = 120, "an automaton without exactly one initial state",
+        "Every automaton of a plant, component or constraint, starts in one state, which is written `initial state`. With\n\
+         none or two of them nobody could say where the plant is when the controller is switched on.\n\n\
+         Wrong:  automaton Door { state Open { shut -> Closed } state Closed { open -> Open } }\n\
+         Right:  automaton Door { state Open { shut -> Closed } initial state Closed { open -> Open } }\n";
+    Nondeterministic = 121, "an event with two edges in one state",
+        "The components of a plant are deterministic: what an event leads to depends on the state alone. If it can end in\n\
+         several ways, each of them is an uncontrollable event of its own, which the controller can tell from the others.\n\n\
+         Wrong:  automaton Door { initial state Closed { open -> Open open -> Jammed } state Open state Jammed }\n\
+         Right:  automaton Door { initial state Closed { open -> Open shut -> Jammed } state Open state Jammed }\n";
+    NotWritable = 122, "a command to what the controller cannot write",
+        "Events are caused by setting and resetting outputs and memory bits. Inputs and ranges are only read.\n\n\
+         Wrong:  controllable stop { reset Closed }\n\
+         Right:  controllable stop { reset Motor }\n";
+    ContradictoryCommands = 123, "commands of one event that contradict each other",
+        "The commands of an event are given in one scan, so one output cannot be set and reset by it.\n\n\
+         Wrong:  controllable stop { set Motor reset Motor }\n\
+         Right:  controllable stop { reset Motor }\n";
+    CommandedByNobody = 124, "commands of an event that happens by itself",
+        "The controller does not cause an uncontrollable event, so it gives no commands for it: what it does in answer is a\n\
+         controllable event of its own.\n\n\
+         Wrong:  uncontrollable jammed { reset Motor }\n\
+         Right:  uncontrollable jammed  controllable stop { reset Motor }\n";
+    NotBoolean = 125, "an analogue input where a Boolean is due",
+        "The formula of a state is about Booleans. An analogue input is divided into ranges, each of which is one: it is\n\
+         true while the value lies between both ends. Only an analogue input has ranges.\n\n\
+         Wrong:  range Full = Level in 90..=100  automaton Tank { initial state Filled [Level] }\n\
+         Right:  range Full = Level in 90..=100  automaton Tank { initial state Filled [Full] }\n";
+    NoStates = 126, "a plant or an automaton without states",
+        "A plant has at least one component, and an automaton at least one state: without them there is nothing that a\n\
+         controller could keep in order.\n\n\
+         Wrong:  automaton Door { }\n\
+         Right:  automaton Door { initial state Closed }\n";
+    CaseOnly = 127, "names that differ by case only",
+        "The languages of programmable controllers do not tell `Motor` from `motor`, so two inputs, outputs, memory bits or\n\
+         ranges with such names would be one variable. For events, automata and the states of one automaton it is a warning:\n\
+         they stand in comments and reports, where people do not tell them apart either.\n\n\
+         Wrong:  output Valve, VALVE\n\
+         Right:  output Valve1, Valve2\n";
+    WrongKind = 128, "a condition about the wrong kind of thing",
+        "The formula of a state is about inputs and outputs, by their names: it says how the state is read. A constraint is\n\
+         about states, by the names of automaton and state: what inputs and outputs are there is said once, at the state.\n\n\
+         Wrong:  constraint Shut: run only when Closed\n\
+         Right:  constraint Shut: run only when Door.Shut\n";
+    NoCommands = 130, "a controllable event without commands",
+        "The controller causes a controllable event by setting and resetting outputs. Without commands there is nothing to\n\
+         put on its rung, and the plant would never do it. A plant without any inputs and outputs is not warned about.\n\n\
+         Wrong:  controllable run\n\
+         Right:  controllable run { set Motor }\n";
+    Unreachable = 131, "a state that its automaton never reaches",
+        "No sequence of edges leads from the initial state to this one, even if every event could always happen. Often an\n\
+         edge is missing or leads to another state than was meant.\n\n\
+         Wrong:  automaton Door { initial state Closed state Open { shut -> Closed } }\n\
+         Right:  automaton Door { initial state Closed { open -> Open } state Open { shut -> Closed } }\n";
+    NeverWritten = 132, "an output or memory bit that no event sets or resets",
+        "Formulas read it, but no command changes it, so it has the same value for ever. Perhaps it is an input, or a\n\
+         command is missing.\n\n\
+         Wrong:  output Lamp  automaton Hall { initial state Dark [!Lamp] }\n\
+         Right:  input Lamp  automaton Hall { initial state Dark [!Lamp] }\n";
+    NoFormula = 133, "a state that inputs and outputs do not show",
+        "A state-feedback controller reads the state of every component from inputs and outputs. In a component with\n\
+         several states each of them therefore needs a formula in brackets. A controller that follows events needs none.\n\n\
+         Wrong:  automaton Door { initial state Shut [Closed] { open -> Ajar } state Ajar { shut -> Shut } }\n\
+         Right:  automaton Door { initial state Shut [Closed] { open -> Ajar } state Ajar [!Closed] { shut -> Shut } }\n";
+    NeverHolds = 134, "a formula that never holds",
+        "No values of inputs and outputs make the formula of this state true, so the state would never be recognised.\n\
+         Ranges of one analogue input count with their limits: no value lies in two that do not overlap.\n\n\
+         Wrong:  automaton Door { initial state Shut [Closed && !Closed] }\n\
+         Right:  automaton Door { initial state Shut [Closed] }\n";
+    Overlap = 135, "two states that look the same",
+        "Some values of inputs and outputs make the formulas of two states of one component true, so nobody could say in\n\
+         which of them it is. The values are shown. Add what tells the two apart: mostly the output that was set when the\n\
+         component began to move.\n\n\
+         Wrong:  automaton Door { initial state Shut [Closed] { run -> Moves } state Moves [Motor] { stop -> Shut } }\n\
+         Right:  automaton Door { initial state Shut [!Motor] { run -> Moves } state Moves [Motor] { stop -> Shut } }\n";
 }
 
 #[cfg(test)]

@@ -32,4 +32,19 @@ impl<A> Condition<A> {
             Condition::And(parts) | Condition::Or(parts) => parts.iter().for_each(|part| part.atoms(visit)),
         }
     }
+
+    /// The same over what `resolve` makes of each atom, which is called for all of them in textual order; `None` if it
+    /// makes nothing of one.
+    pub fn resolved<'a, B>(&'a self, resolve: &mut impl FnMut(&'a A) -> Option<B>) -> Option<Condition<B>> {
+        let mut all = |parts: &'a [Condition<A>]| {
+            let parts: Vec<_> = parts.iter().map(|part| part.resolved(resolve)).collect();
+            parts.into_iter().collect::<Option<Vec<_>>>()
+        };
+        Some(match self {
+            Condition::And(parts) => Condition::And(all(parts)?),
+            Condition::Or(parts) => Condition::Or(all(parts)?),
+            Condition::Atom(atom) => Condition::Atom(resolve(atom)?),
+            Condition::Not(inner) => Condition::Not(Box::new(inner.resolved(resolve)?)),
+        })
+    }
 }

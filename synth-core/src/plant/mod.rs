@@ -15,11 +15,14 @@
 //!    ▼ program     rungs and coils                            → Program, which the back ends write
 //! ```
 
+pub mod ast;
 mod closed_loop;
 mod condition;
 mod model;
+mod parse;
 mod program;
 pub mod remember;
+mod resolve;
 
 pub use closed_loop::ClosedLoop;
 pub use condition::Condition;
@@ -27,4 +30,32 @@ pub use model::{
     Automaton, AutomatonId, Command, Constraint, Edge, Event, EventId, Plant, Rule, Signal, SignalId,
     SignalKind, State, StateRef,
 };
+pub use parse::{RESERVED, parse_text, parse_tokens};
 pub use program::{Coil, Drive, Program, Rung, Use, Variable};
+pub use resolve::resolve;
+
+use crate::diagnostic::Diagnostic;
+use crate::syntax::FileId;
+
+/// Reads and resolves the text of a file; a plant comes with its warnings.
+///
+/// # Errors
+///
+/// All that is wrong with the text, in the order of places.
+pub fn read(text: &str, file: FileId) -> Result<(Plant, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let (tree, mut errors) = parse_text(text, file);
+    // What is declared by a part that could not be read is not unknown.
+    let tree = tree.filter(|tree| errors.is_empty() || tree.declares_all);
+    match tree.map(|tree| resolve(&tree)) {
+        Some((Some(plant), warnings)) if errors.is_empty() => Ok((plant, warnings)),
+        Some((None, mut more)) => {
+            errors.append(&mut more);
+            errors.sort_by_key(|d| d.span.start);
+            Err(errors)
+        }
+        _ => Err(errors),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -55,10 +55,6 @@ pub const RESERVED: &[&str] = &[
     "while",
 ];
 
-pub(super) fn is_reserved(word: &str) -> bool {
-    RESERVED.binary_search(&word).is_ok()
-}
-
 /// What is wrong with `word` as a name, apart from being a keyword.
 pub(super) fn name_error(word: &str, span: Span) -> Option<Diagnostic> {
     if let Some(plain) = word.strip_prefix("r#") {
@@ -103,7 +99,7 @@ mod tests {
     #[test]
     fn rust_keywords_are_free() {
         for word in ["move", "self", "type", "match", "fn", "crate", "loop", "for", "if"] {
-            assert!(!is_reserved(word), "{word}");
+            assert!(!RESERVED.contains(&word), "{word}");
         }
     }
 }

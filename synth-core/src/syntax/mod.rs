@@ -8,11 +8,11 @@ pub mod ast;
 mod keywords;
 mod lexis;
 mod load;
-mod parse;
+pub(crate) mod parse;
 mod print;
 mod sources;
 mod span;
-mod tokens;
+pub(crate) mod tokens;
 
 use std::io::{self, Read as _};
 
@@ -21,6 +21,7 @@ use proc_macro2::TokenStream;
 use crate::diagnostic::{Code, Diagnostic};
 
 use parse::Parsed;
+use tokens::Keeps;
 
 pub use keywords::RESERVED;
 pub use load::{Loaded, Reader, load, load_imports};
@@ -31,23 +32,60 @@ pub use span::{FileId, Pos, Span};
 /// How deep delimiters and expressions may nest: far more than anyone writes, far less than a stack holds.
 const MAX_DEPTH: usize = 128;
 
+/// What is particular to one of the languages that share the lexis.
+pub(crate) struct Grammar<T> {
+    /// Which documentation comments are part of the tree.
+    pub(crate) keeps: Keeps,
+    /// The grammar itself: of tokens, and the place behind the last of them.
+    pub(crate) parse: fn(TokenStream, FileId, Span) -> Parsed<T>,
+}
+
+/// Specifications.
+const SML: Grammar<ast::File> = Grammar { keeps: tokens::opens_scenario, parse: parse::parse };
+
 /// Reads the text of a file.
 ///
 /// The tree holds all that could be read; it is complete if there is no diagnostic, and `None` if not even the
 /// specification's name could be found. Diagnostics come in the order of their places. A byte order mark is skipped.
 #[must_use]
 pub fn parse_text(text: &str, file: FileId) -> (Option<ast::File>, Vec<Diagnostic>) {
+    let Read { mut tree, errors, hidden } = read_text(text, file, &SML);
+    if let Some(tree) = &mut tree {
+        tree.declares_all &= !hidden;
+    }
+    (tree, errors)
+}
+
+/// Reads the tokens of a macro; places are those of the tokens in the file that invokes it.
+///
+/// Returns the same as [`parse_text`].
+#[must_use]
+pub fn parse_tokens(tokens: TokenStream, file: FileId) -> (Option<ast::File>, Vec<Diagnostic>) {
+    let Parsed { tree, errors, .. } = read_tokens(tokens, file, None, &SML);
+    (tree, errors)
+}
+
+/// What was read of a text.
+pub(crate) struct Read<T> {
+    /// Complete if there are no errors.
+    pub(crate) tree: Option<T>,
+    /// In the order of their places.
+    pub(crate) errors: Vec<Diagnostic>,
+    /// Something was wrong before the grammar saw the text, and may have cost any part of it.
+    pub(crate) hidden: bool,
+}
+
+/// Reads a text by `grammar`.
+pub(crate) fn read_text<T>(text: &str, file: FileId, grammar: &Grammar<T>) -> Read<T> {
     let lexis::Scan { readable, end, cut, surplus, behind_blanks, mut errors } = lexis::scan(text, file);
-    let Some(readable) = readable else { return (None, errors) };
-    let lexed = tokens::lex(&readable, file, |tokens| parse_stream(tokens, file, end));
-    let Parsed { mut tree, errors: mut found, unbraced } = match lexed {
+    let Some(readable) = readable else { return Read { tree: None, errors, hidden: true } };
+    let lexed = tokens::lex(&readable, file, |tokens| read_tokens(tokens, file, end, grammar));
+    let Parsed { tree, errors: mut found, unbraced } = match lexed {
         Ok(parsed) => parsed,
         Err(error) => Parsed { tree: None, errors: vec![*error], unbraced: None },
     };
-    if let Some(tree) = &mut tree {
-        // A stray character is as good as a space; whatever else is wrong may hide anything.
-        tree.declares_all &= errors.iter().all(|d| d.code == Code::Lexical);
-    }
+    // A stray character is as good as a space; whatever else is wrong may hide anything.
+    let hidden = errors.iter().any(|d| d.code != Code::Lexical);
     if surplus && let Some(place) = unbraced.filter(|&place| cut.is_none_or(|cut| place < cut)) {
         // The grammar knows better where braces went wrong than whoever counts them.
         found.retain(|d| d.span.start <= place);
@@ -64,23 +102,19 @@ pub fn parse_text(text: &str, file: FileId) -> (Option<ast::File>, Vec<Diagnosti
     }
     errors.append(&mut found);
     errors.sort_by_key(|d| d.span.start);
-    (tree, errors)
+    Read { tree, errors, hidden }
 }
 
-/// Reads the tokens of a macro; places are those of the tokens in the file that invokes it.
-///
-/// Returns the same as [`parse_text`].
-#[must_use]
-pub fn parse_tokens(tokens: TokenStream, file: FileId) -> (Option<ast::File>, Vec<Diagnostic>) {
-    let Parsed { tree, errors, .. } = parse_stream(tokens, file, None);
-    (tree, errors)
-}
-
-/// `end`: the place behind the last token, if the caller knows better than the tokens.
-fn parse_stream(tokens: TokenStream, file: FileId, end: Option<Span>) -> Parsed {
-    match tokens::prepare(tokens, file) {
+/// Reads tokens by `grammar`; `end`: the place behind the last one, if the caller knows better than the tokens.
+pub(crate) fn read_tokens<T>(
+    tokens: TokenStream,
+    file: FileId,
+    end: Option<Span>,
+    grammar: &Grammar<T>,
+) -> Parsed<T> {
+    match tokens::prepare(tokens, file, grammar.keeps) {
         Ok(prepared) => {
-            let mut parsed = parse::parse(prepared.tokens, file, end.unwrap_or(prepared.end));
+            let mut parsed = (grammar.parse)(prepared.tokens, file, end.unwrap_or(prepared.end));
             parsed.errors.sort_by_key(|d| d.span.start);
             parsed
         }

@@ -37,7 +37,7 @@ pub(super) fn lex<T>(
         Ok(tokens) => Ok(read(tokens)),
         Err(error) => {
             let span = place(error.span(), file);
-            Err(Box::new(Diagnostic::error(Code::Lexical, span, "this is not a token of SML")))
+            Err(Box::new(Diagnostic::error(Code::Lexical, span, "this is not a token")))
         }
     }
 }
@@ -49,14 +49,17 @@ pub(super) struct Prepared {
     pub(super) end: Span,
 }
 
-/// Removes documentation comments, except those directly above a scenario, and invisible groups.
+/// Whether a documentation comment between a token and others is part of the tree.
+pub(crate) type Keeps = fn(Option<&TokenTree>, &[TokenTree]) -> bool;
+
+/// Removes documentation comments, except those that the language keeps, and invisible groups.
 ///
 /// # Errors
 ///
 /// [`Code::TooDeep`].
-pub(super) fn prepare(tokens: TokenStream, file: FileId) -> Result<Prepared, Box<Diagnostic>> {
+pub(super) fn prepare(tokens: TokenStream, file: FileId, keeps: Keeps) -> Result<Prepared, Box<Diagnostic>> {
     let mut out = Vec::new();
-    strip(tokens, file, 0, &mut out)?;
+    strip(tokens, file, keeps, 0, &mut out)?;
     let end = out.last().map_or_else(
         || Span { file, start: Pos { line: 1, column: 1 }, end: Pos { line: 1, column: 1 } },
         |last: &TokenTree| {
@@ -70,6 +73,7 @@ pub(super) fn prepare(tokens: TokenStream, file: FileId) -> Result<Prepared, Box
 fn strip(
     tokens: TokenStream,
     file: FileId,
+    keeps: Keeps,
     depth: usize,
     out: &mut Vec<TokenTree>,
 ) -> Result<(), Box<Diagnostic>> {
@@ -80,7 +84,7 @@ fn strip(
         while let Some(length) = comment_length(&trees[at..]) {
             at += length;
         }
-        if at > comments && opens_scenario(&trees[at..]) {
+        if at > comments && keeps(comments.checked_sub(1).map(|before| &trees[before]), &trees[at..]) {
             keep_lines(&trees[comments..at], file, out);
         }
         match trees.get(at) {
@@ -89,10 +93,10 @@ fn strip(
                     return Err(Box::new(too_deep(place(group.span_open(), file))));
                 }
                 if group.delimiter() == Delimiter::None {
-                    strip(group.stream(), file, depth + 1, out)?;
+                    strip(group.stream(), file, keeps, depth + 1, out)?;
                 } else {
                     let mut inner = Vec::new();
-                    strip(group.stream(), file, depth + 1, &mut inner)?;
+                    strip(group.stream(), file, keeps, depth + 1, &mut inner)?;
                     let mut stripped = Group::new(group.delimiter(), inner.into_iter().collect());
                     stripped.set_span(group.span());
                     out.push(TokenTree::Group(stripped));
@@ -118,7 +122,8 @@ fn comment_length(trees: &[TokenTree]) -> Option<usize> {
     is_doc.then_some(length)
 }
 
-fn opens_scenario(trees: &[TokenTree]) -> bool {
+/// Requirement texts stand directly above a scenario.
+pub(super) fn opens_scenario(_before: Option<&TokenTree>, trees: &[TokenTree]) -> bool {
     const KINDS: [&str; 5] = ["assumption", "guarantee", "existential", "specification", "requirement"];
     matches!(trees, [TokenTree::Ident(kind), TokenTree::Ident(word), ..]
         if word == "scenario" && KINDS.iter().any(|k| kind == k))

@@ -1,6 +1,5 @@
 //! Collaborations: roles and scenarios.
 
-use proc_macro2::TokenTree;
 use syn::Token;
 use syn::parse::ParseStream;
 
@@ -9,7 +8,6 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::syntax::ast::{
     Body, Collaboration, Constraint, ConstraintKind, Expr, Message, Name, Role, Scenario, ScenarioKind,
 };
-use crate::syntax::tokens;
 
 /// The words that begin a role or a scenario, the older ones last.
 const ITEMS: [&str; 7] =
@@ -78,7 +76,7 @@ impl Reader {
     }
 
     fn scenario(&self, input: ParseStream<'_>) -> Result<Scenario> {
-        let requirement = self.requirement(input);
+        let requirement = self.comment(input);
         let kind = match self.word(input).as_deref() {
             Some("assumption") => ScenarioKind::Assumption,
             Some("guarantee" | "specification" | "requirement") => ScenarioKind::Guarantee,
@@ -104,21 +102,6 @@ impl Reader {
             return Err(self.expected_word(input, "`{` and the body of the scenario", &["bindings"]));
         }
         Ok(Scenario { requirement, kind, name, bindings, body: self.body(input)? })
-    }
-
-    /// The lines of the comment that stands here, if any.
-    fn requirement(&self, input: ParseStream<'_>) -> Vec<String> {
-        let mut lines = Vec::new();
-        while input.peek(Token![#]) && input.peek2(syn::token::Bracket) {
-            self.skip(input);
-            let attribute = input.cursor().token_tree().map(|(tree, _)| tree);
-            let text = attribute.as_ref().and_then(|tree: &TokenTree| tokens::comment_text(tree));
-            for line in text.iter().flat_map(|text| text.split('\n')) {
-                lines.push(line.strip_prefix(' ').unwrap_or(line).trim_end().to_owned());
-            }
-            self.skip(input);
-        }
-        lines
     }
 
     /// `(bindings [(ID = expr)*])?`, older `with dynamic bindings [(bind ID to expr)*]`.

@@ -5,8 +5,8 @@ use syn::parse::ParseStream;
 
 use super::reader::{Reader, Result};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::syntax::Span;
 use crate::syntax::ast::{BinaryOp, Expr, ExprKind, Name, Path, UnaryOp};
-use crate::syntax::{Span, keywords};
 
 /// How high the tree of an expression may grow: chains of operators are read by a loop, but walked by recursion.
 const MAX_HEIGHT: usize = 512;
@@ -119,7 +119,7 @@ impl Reader {
     /// Whether an operand begins here, where none can stand behind a name.
     fn at_operand(&self, input: ParseStream<'_>) -> bool {
         input.peek(syn::token::Paren)
-            || self.word(input).is_some_and(|word| !keywords::is_reserved(&word))
+            || self.word(input).is_some_and(|word| !self.is_reserved(&word))
                 && !input.peek2(Token![->])
                 && (input.peek2(Token![==]) || !input.peek2(Token![=]))
     }
@@ -178,7 +178,7 @@ impl Reader {
     }
 
     /// `INT | - INT`; takes nothing if neither comes next.
-    pub(super) fn integer(&self, input: ParseStream<'_>) -> Result<Option<i64>> {
+    pub(crate) fn integer(&self, input: ParseStream<'_>) -> Result<Option<i64>> {
         let start = self.span(input);
         let negative = input.peek(Token![-]);
         if negative {

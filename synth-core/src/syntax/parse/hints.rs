@@ -10,7 +10,6 @@ use super::fragment::MODIFIERS;
 use super::reader::{Reader, operator};
 use crate::diagnostic::Diagnostic;
 use crate::suggest::nearest;
-use crate::syntax::keywords;
 
 /// Words of other languages, and what they are here.
 const FOREIGN: [(&str, &str); 10] = [
@@ -28,8 +27,8 @@ const FOREIGN: [(&str, &str); 10] = [
 
 impl Reader {
     /// `` write `word` `` for the one of `words` that the next word resembles, unless it is a keyword itself.
-    pub(super) fn misspelt(&self, input: ParseStream<'_>, words: &[&str]) -> Option<String> {
-        let word = self.word(input).filter(|word| !keywords::is_reserved(word))?;
+    pub(crate) fn misspelt(&self, input: ParseStream<'_>, words: &[&str]) -> Option<String> {
+        let word = self.word(input).filter(|word| !self.is_reserved(word))?;
         nearest(&word, words.iter().copied()).map(|near| format!("write `{near}`"))
     }
 
@@ -71,7 +70,7 @@ impl Reader {
     }
 
     /// The error that a `,` or the end of a list should come next, with help.
-    pub(super) fn missing_comma(&self, input: ParseStream<'_>, error: Box<Diagnostic>) -> Box<Diagnostic> {
+    pub(crate) fn missing_comma(&self, input: ParseStream<'_>, error: Box<Diagnostic>) -> Box<Diagnostic> {
         match input.cursor().token_tree() {
             _ if error.help.is_some() => error,
             Some((TokenTree::Ident(word), _)) => Box::new(error.help(format!("write `,` before `{word}`"))),
@@ -117,7 +116,7 @@ impl Reader {
 
     /// The keyword that was meant by a word which cannot begin a message, for what follows is not `->`.
     pub(super) fn misspelt_fragment(&self, input: ParseStream<'_>, word: &str) -> Option<String> {
-        if keywords::is_reserved(word) {
+        if self.is_reserved(word) {
             return None;
         }
         let words: &[&str] = if input.peek2(Bracket) {
@@ -190,7 +189,7 @@ impl Reader {
             let next = input.cursor().ident()?.1;
             let is_operand = next.ident().is_some() || next.literal().is_some() || input.peek2(Paren);
             let negated = next.punct().is_some_and(|(punct, _)| punct.as_char() == '!');
-            return (is_operand || negated || keywords::is_reserved(&word)).then_some((word, meant));
+            return (is_operand || negated || self.is_reserved(&word)).then_some((word, meant));
         }
         let found = input.cursor().punct().map(|_| operator(input))?;
         let meant = match found.as_str() {

@@ -15,26 +15,35 @@ use syn::Token;
 use syn::parse::{ParseStream, Parser as _};
 
 use super::ast::{Controllable, File, Import, Name, Section};
-use super::{FileId, Pos, Span};
+use super::{FileId, Pos, RESERVED, Span};
 use crate::diagnostic::{Code, Diagnostic};
-use reader::{Reader, Result};
+pub(crate) use reader::{Reader, Result, operator};
 
 /// What was read of a file.
-pub(super) struct Parsed {
+pub(crate) struct Parsed<T> {
     /// Complete if there are no errors.
-    pub(super) tree: Option<File>,
+    pub(crate) tree: Option<T>,
     /// In the order in which they were found.
-    pub(super) errors: Vec<Diagnostic>,
+    pub(crate) errors: Vec<Diagnostic>,
     /// Where a brace was due, or the file: if braces do not match, this is where they went wrong.
-    pub(super) unbraced: Option<Pos>,
+    pub(crate) unbraced: Option<Pos>,
 }
 
-/// Reads a whole file.
-pub(super) fn parse(tokens: TokenStream, file: FileId, end: Span) -> Parsed {
-    let reader = Reader::new(file, end);
+/// Reads a whole specification.
+pub(super) fn parse(tokens: TokenStream, file: FileId, end: Span) -> Parsed<File> {
+    parse_all(tokens, Reader::new(file, end, RESERVED), end, Reader::file)
+}
+
+/// Reads all tokens by `rule`; `end` is the place behind them.
+pub(crate) fn parse_all<T>(
+    tokens: TokenStream,
+    reader: Reader,
+    end: Span,
+    rule: impl FnOnce(&Reader, ParseStream<'_>) -> Option<T>,
+) -> Parsed<T> {
     let mut tree = None;
     let consumed = |input: ParseStream<'_>| {
-        tree = reader.file(input);
+        tree = rule(&reader, input);
         Ok(())
     };
     let leftover = consumed.parse2(tokens).err();
@@ -68,32 +77,46 @@ impl Reader {
                 }
             }
         }
-        let name = self.header(input).map_err(|error| self.report(*error)).ok();
+        let due = "`{` and the sections of the specification";
+        let (name, sections) = self.framed(
+            input,
+            "specification",
+            due,
+            |input| self.header(input),
+            |inside| self.sections(inside),
+        )?;
+        Some(File { imports, name, sections, declares_all: self.declares_all() })
+    }
+
+    /// A name, and what stands behind it in the braces `due`, up to the end of the file; `what` is the whole.
+    pub(crate) fn framed<N, T>(
+        &self,
+        input: ParseStream<'_>,
+        what: &str,
+        due: &str,
+        name: impl FnOnce(ParseStream<'_>) -> Result<N>,
+        inside: impl FnOnce(ParseStream<'_>) -> T,
+    ) -> Option<(N, T)> {
+        let name = name(input).map_err(|error| self.report(*error)).ok();
         if name.is_none() {
             self.skip_until(input, |input| input.peek(syn::token::Brace));
         }
         if input.is_empty() && name.is_none() {
             return None;
         }
-        let sections = self
-            .braces(input, "`{` and the sections of the specification", |inside| Ok(self.sections(inside)))
-            .map_err(|error| self.report(*error))
-            .ok();
-        if sections.is_some() {
+        let body =
+            self.braces(input, due, |content| Ok(inside(content))).map_err(|error| self.report(*error)).ok();
+        if let Some((_, span)) = &body {
             self.optional_semicolon(input);
             if !input.is_empty() {
                 self.unbraced(input);
                 let mut error = self.expected(input, "the end of the file");
-                if let Some((_, span)) = &sections {
-                    let end = Pos { column: span.end.column.saturating_sub(1), ..span.end };
-                    let place = Span { start: end, ..*span };
-                    error.labels.push((place, "the specification ends here".to_owned()));
-                }
+                let end = Pos { column: span.end.column.saturating_sub(1), ..span.end };
+                error.labels.push((Span { start: end, ..*span }, format!("the {what} ends here")));
                 self.report(*error);
             }
         }
-        let declares_all = self.declares_all();
-        Some(File { imports, name: name?, sections: sections?.0, declares_all })
+        Some((name?, body?.0))
     }
 
     fn import(&self, input: ParseStream<'_>) -> Result<Import> {
@@ -177,7 +200,7 @@ impl Reader {
         ))
     }
 
-    fn optional_semicolon(&self, input: ParseStream<'_>) {
+    pub(crate) fn optional_semicolon(&self, input: ParseStream<'_>) {
         self.eat_punct(input, Token![;]);
     }
 }

@@ -12,11 +12,13 @@ use crate::syntax::ast::Name;
 use crate::syntax::{FileId, MAX_DEPTH, Pos, Span, keywords, lexis, tokens};
 
 /// A rule's tree, or why there is none.
-pub(super) type Result<T> = std::result::Result<T, Box<Diagnostic>>;
+pub(crate) type Result<T> = std::result::Result<T, Box<Diagnostic>>;
 
 /// The state of reading one file; the position is that of the `ParseStream` that each rule takes.
-pub(super) struct Reader {
+pub(crate) struct Reader {
     file: FileId,
+    /// The words that cannot be names, sorted.
+    reserved: &'static [&'static str],
     /// The place behind the last token.
     end: Span,
     errors: RefCell<Vec<Diagnostic>>,
@@ -31,10 +33,11 @@ pub(super) struct Reader {
 }
 
 impl Reader {
-    pub(super) fn new(file: FileId, end: Span) -> Self {
+    pub(crate) fn new(file: FileId, end: Span, reserved: &'static [&'static str]) -> Self {
         let (errors, closing) = (RefCell::default(), RefCell::default());
         Reader {
             file,
+            reserved,
             end,
             errors,
             closing,
@@ -44,17 +47,17 @@ impl Reader {
         }
     }
 
-    pub(super) fn into_errors(self) -> (Vec<Diagnostic>, Option<Pos>) {
+    pub(crate) fn into_errors(self) -> (Vec<Diagnostic>, Option<Pos>) {
         (self.errors.into_inner(), self.unbraced.get())
     }
 
     /// Remembers that the braces do not fit here.
-    pub(super) fn unbraced(&self, input: ParseStream<'_>) {
+    pub(crate) fn unbraced(&self, input: ParseStream<'_>) {
         self.unbraced.set(self.unbraced.get().or_else(|| Some(self.span(input).start)));
     }
 
     /// Runs a rule for something that declares no name that others use: what is wrong with it costs nobody else.
-    pub(super) fn declares_nothing<T>(&self, rule: impl FnOnce() -> Result<T>) -> Result<T> {
+    pub(crate) fn declares_nothing<T>(&self, rule: impl FnOnce() -> Result<T>) -> Result<T> {
         let before = self.errors.borrow().len();
         let result = rule();
         let errors = self.errors.borrow().len() - before + usize::from(result.is_err());
@@ -63,16 +66,16 @@ impl Reader {
     }
 
     /// Whether everything that declares a name could be read so far.
-    pub(super) fn declares_all(&self) -> bool {
+    pub(crate) fn declares_all(&self) -> bool {
         self.errors.borrow().len() == self.harmless.get()
     }
 
-    pub(super) fn report(&self, error: Diagnostic) {
+    pub(crate) fn report(&self, error: Diagnostic) {
         self.errors.borrow_mut().push(error);
     }
 
     /// The place of the next token, or of the delimiter that closes what is being read.
-    pub(super) fn span(&self, input: ParseStream<'_>) -> Span {
+    pub(crate) fn span(&self, input: ParseStream<'_>) -> Span {
         if !input.is_empty() {
             return tokens::place(input.span(), self.file);
         }
@@ -87,36 +90,40 @@ impl Reader {
     }
 
     /// From `start` to the end of the token taken last.
-    pub(super) fn since(&self, start: Span, input: ParseStream<'_>) -> Span {
+    pub(crate) fn since(&self, start: Span, input: ParseStream<'_>) -> Span {
         start.to(tokens::place(input.cursor().prev_span(), self.file))
     }
 
     /// The next token if it is a word, keyword or not.
-    pub(super) fn word(&self, input: ParseStream<'_>) -> Option<String> {
+    pub(crate) fn word(&self, input: ParseStream<'_>) -> Option<String> {
         input.cursor().ident().map(|(word, _)| word.to_string())
     }
 
-    pub(super) fn at(&self, input: ParseStream<'_>, word: &str) -> bool {
+    pub(crate) fn is_reserved(&self, word: &str) -> bool {
+        self.reserved.binary_search(&word).is_ok()
+    }
+
+    pub(crate) fn at(&self, input: ParseStream<'_>, word: &str) -> bool {
         input.cursor().ident().is_some_and(|(found, _)| found == word)
     }
 
-    pub(super) fn at_any(&self, input: ParseStream<'_>, words: &[&str]) -> bool {
+    pub(crate) fn at_any(&self, input: ParseStream<'_>, words: &[&str]) -> bool {
         self.word(input).is_some_and(|found| words.contains(&found.as_str()))
     }
 
     /// Whether the token after the next is `word`.
-    pub(super) fn then(&self, input: ParseStream<'_>, word: &str) -> bool {
+    pub(crate) fn then(&self, input: ParseStream<'_>, word: &str) -> bool {
         let next = input.cursor().token_tree().and_then(|(_, rest)| rest.ident());
         next.is_some_and(|(found, _)| found == word)
     }
 
     /// Takes `word` if it is next.
-    pub(super) fn eat(&self, input: ParseStream<'_>, word: &str) -> bool {
+    pub(crate) fn eat(&self, input: ParseStream<'_>, word: &str) -> bool {
         self.at(input, word) && self.skip(input)
     }
 
     /// Takes `token` if it is next.
-    pub(super) fn eat_punct<T: Peek>(&self, input: ParseStream<'_>, token: T) -> bool
+    pub(crate) fn eat_punct<T: Peek>(&self, input: ParseStream<'_>, token: T) -> bool
     where
         T::Token: Parse,
     {
@@ -124,12 +131,12 @@ impl Reader {
     }
 
     /// Takes the keyword `word`.
-    pub(super) fn keyword(&self, input: ParseStream<'_>, word: &str) -> Result<()> {
+    pub(crate) fn keyword(&self, input: ParseStream<'_>, word: &str) -> Result<()> {
         if self.eat(input, word) { Ok(()) } else { Err(self.expected(input, &format!("`{word}`"))) }
     }
 
     /// Takes `token`, described by `text` should it not come.
-    pub(super) fn punct<T: Peek>(&self, input: ParseStream<'_>, token: T, text: &str) -> Result<()>
+    pub(crate) fn punct<T: Peek>(&self, input: ParseStream<'_>, token: T, text: &str) -> Result<()>
     where
         T::Token: Parse,
     {
@@ -137,10 +144,10 @@ impl Reader {
     }
 
     /// Takes a name that is `what`.
-    pub(super) fn name(&self, input: ParseStream<'_>, what: &str) -> Result<Name> {
+    pub(crate) fn name(&self, input: ParseStream<'_>, what: &str) -> Result<Name> {
         let Some(word) = self.word(input) else { return Err(self.expected(input, what)) };
         let span = self.span(input);
-        if keywords::is_reserved(&word) {
+        if self.is_reserved(&word) {
             let message = format!("expected {what}, found the keyword `{word}`");
             let note = format!("`{word}` is reserved and cannot be a name");
             return Err(Box::new(Diagnostic::error(Code::Reserved, span, message).note(note)));
@@ -153,7 +160,7 @@ impl Reader {
     }
 
     /// The error that `what` should come next.
-    pub(super) fn expected(&self, input: ParseStream<'_>, what: &str) -> Box<Diagnostic> {
+    pub(crate) fn expected(&self, input: ParseStream<'_>, what: &str) -> Box<Diagnostic> {
         let message = format!("expected {what}, found {}", self.found(input));
         let mut span = self.span(input);
         if input.cursor().punct().is_some() {
@@ -165,7 +172,7 @@ impl Reader {
     }
 
     /// The error that `what` should come next, which begins with one of `words`.
-    pub(super) fn expected_word(
+    pub(crate) fn expected_word(
         &self,
         input: ParseStream<'_>,
         what: &str,
@@ -185,11 +192,11 @@ impl Reader {
             Some((TokenTree::Group(_), _)) if input.peek(Brace) => "`{`".to_owned(),
             Some((TokenTree::Group(_), _)) if input.peek(Bracket) => "`[`".to_owned(),
             Some((TokenTree::Group(_), _)) => "`(`".to_owned(),
-            Some((TokenTree::Ident(word), _)) if keywords::is_reserved(&word.to_string()) => {
+            Some((TokenTree::Ident(word), _)) if self.is_reserved(&word.to_string()) => {
                 format!("the keyword `{word}`")
             }
             Some((TokenTree::Punct(hash), _)) if hash.as_char() == '#' && input.peek2(Bracket) => {
-                "the requirement of a scenario".to_owned()
+                "a documentation comment".to_owned()
             }
             Some((TokenTree::Punct(_), _)) => format!("`{}`", operator(input)),
             Some((TokenTree::Literal(literal), _)) if literal.to_string().starts_with('"') => {
@@ -200,7 +207,7 @@ impl Reader {
     }
 
     /// Takes whatever comes next; says whether there was anything.
-    pub(super) fn skip(&self, input: ParseStream<'_>) -> bool {
+    pub(crate) fn skip(&self, input: ParseStream<'_>) -> bool {
         let skipped = input.step(|cursor| match cursor.token_tree() {
             Some((_, rest)) => Ok(((), rest)),
             None => Err(cursor.error("end of input")),
@@ -208,18 +215,33 @@ impl Reader {
         skipped.is_ok()
     }
 
-    pub(super) fn skip_until(&self, input: ParseStream<'_>, found: impl Fn(ParseStream<'_>) -> bool) {
+    pub(crate) fn skip_until(&self, input: ParseStream<'_>, found: impl Fn(ParseStream<'_>) -> bool) {
         while !input.is_empty() && !found(input) {
             self.skip(input);
         }
     }
 
-    pub(super) fn skip_to(&self, input: ParseStream<'_>, found: impl Fn(&str) -> bool) {
+    pub(crate) fn skip_to(&self, input: ParseStream<'_>, found: impl Fn(&str) -> bool) {
         self.skip_until(input, |input| self.word(input).is_some_and(|word| found(&word)));
     }
 
+    /// The lines of the comment that stands here, if any.
+    pub(crate) fn comment(&self, input: ParseStream<'_>) -> Vec<String> {
+        let mut lines = Vec::new();
+        while input.peek(Token![#]) && input.peek2(syn::token::Bracket) {
+            self.skip(input);
+            let attribute = input.cursor().token_tree().map(|(tree, _)| tree);
+            let text = attribute.as_ref().and_then(|tree: &TokenTree| tokens::comment_text(tree));
+            for line in text.iter().flat_map(|text| text.split('\n')) {
+                lines.push(line.strip_prefix(' ').unwrap_or(line).trim_end().to_owned());
+            }
+            self.skip(input);
+        }
+        lines
+    }
+
     /// Reads items to the end of `input`. After one that fails, goes on with the next that `starts`.
-    pub(super) fn items<'a, T>(
+    pub(crate) fn items<'a, T>(
         &self,
         input: ParseStream<'a>,
         starts: impl Fn(ParseStream<'_>) -> bool,
@@ -243,7 +265,7 @@ impl Reader {
     }
 
     /// Reads items to the end of `input`, each with an optional `,` or `;` behind it.
-    pub(super) fn list<T>(
+    pub(crate) fn list<T>(
         &self,
         input: ParseStream<'_>,
         mut item: impl FnMut(ParseStream<'_>) -> Result<T>,
@@ -256,14 +278,14 @@ impl Reader {
         Ok(items)
     }
 
-    pub(super) fn optional_separator(&self, input: ParseStream<'_>) {
+    pub(crate) fn optional_separator(&self, input: ParseStream<'_>) {
         if !self.eat_punct(input, Token![,]) {
             self.eat_punct(input, Token![;]);
         }
     }
 
     /// Reads items to the end of `input`, with a `,` between them.
-    pub(super) fn comma_list<T>(
+    pub(crate) fn comma_list<T>(
         &self,
         input: ParseStream<'_>,
         mut item: impl FnMut(ParseStream<'_>) -> Result<T>,
@@ -283,7 +305,7 @@ impl Reader {
     }
 
     /// Reads `{ … }`; gives its place, too.
-    pub(super) fn braces<T>(
+    pub(crate) fn braces<T>(
         &self,
         input: ParseStream<'_>,
         what: &str,
@@ -297,7 +319,7 @@ impl Reader {
     }
 
     /// Reads `[ … ]`.
-    pub(super) fn brackets<T>(
+    pub(crate) fn brackets<T>(
         &self,
         input: ParseStream<'_>,
         what: &str,
@@ -310,7 +332,7 @@ impl Reader {
     }
 
     /// Reads `( … )`; gives its place, too.
-    pub(super) fn parens<T>(
+    pub(crate) fn parens<T>(
         &self,
         input: ParseStream<'_>,
         what: &str,
@@ -349,7 +371,7 @@ impl Reader {
     /// # Errors
     ///
     /// [`Code::TooDeep`] at the next token: recursion through operators is as limited as that through delimiters.
-    pub(super) fn nested<T>(&self, input: ParseStream<'_>, rule: impl FnOnce() -> Result<T>) -> Result<T> {
+    pub(crate) fn nested<T>(&self, input: ParseStream<'_>, rule: impl FnOnce() -> Result<T>) -> Result<T> {
         if self.depth.get() + self.closing.borrow().len() >= MAX_DEPTH {
             return Err(Box::new(lexis::too_deep(self.span(input))));
         }
@@ -360,7 +382,7 @@ impl Reader {
     }
 
     /// Takes an unsigned integer, as its digits.
-    pub(super) fn digits(&self, input: ParseStream<'_>) -> Result<Option<String>> {
+    pub(crate) fn digits(&self, input: ParseStream<'_>) -> Result<Option<String>> {
         let Some((literal, _)) = input.cursor().literal() else { return Ok(None) };
         let text = literal.to_string();
         if !text.starts_with(|c: char| c.is_ascii_digit()) {
@@ -375,7 +397,7 @@ impl Reader {
 }
 
 /// The operator at `input`, whole: `=>` rather than `=`.
-pub(super) fn operator(input: ParseStream<'_>) -> String {
+pub(crate) fn operator(input: ParseStream<'_>) -> String {
     let mut text = String::new();
     let mut cursor = input.cursor();
     while let Some((punct, rest)) = cursor.punct() {
