@@ -1,0 +1,106 @@
+//! Going over an expression: whatever is smaller and does the same in its place is put there.
+//!
+//! A part of a conjunction matters only where the other parts hold, one of a disjunction only where none of them does: what
+//! is left between the two bounds of a part is free (the permissible functions of Muroga, Kambayashi, Lai and Culliney, "The
+//! transduction method", 1989, for a tree). So are sets of parts of one operator.
+
+use super::super::{Bdd, Expr, Function, TooLarge};
+use super::{cost, split};
+
+/// Passes over the whole expression.
+const PASSES: usize = 6;
+/// Operators with more parts than this are not tried in pairs.
+const PAIRS: usize = 8;
+
+/// `expr`, which lies between the bounds, or something smaller that does.
+pub(super) fn rewrite(
+    bdd: &mut Bdd,
+    mut expr: Expr,
+    lower: Function,
+    upper: Function,
+) -> Result<Expr, TooLarge> {
+    for _ in 0..PASSES {
+        let before = cost(&expr);
+        expr = smaller(bdd, expr, lower, upper)?;
+        if cost(&expr) >= before {
+            break;
+        }
+    }
+    Ok(expr)
+}
+
+/// One pass, from the root to the leaves.
+fn smaller(bdd: &mut Bdd, expr: Expr, lower: Function, upper: Function) -> Result<Expr, TooLarge> {
+    let expr = replaced(bdd, expr, lower, upper)?;
+    let (and, mut parts) = match expr {
+        Expr::And(parts) => (true, parts),
+        Expr::Or(parts) => (false, parts),
+        Expr::Constant(_) | Expr::Literal(_) => return Ok(expr),
+    };
+    let mut position = 0;
+    while position < parts.len() {
+        let (low, high) = bounds(bdd, &parts, &[position], and, lower, upper)?;
+        let part = smaller(bdd, parts[position].clone(), low, high)?;
+        match part {
+            Expr::Constant(value) if value == and => {
+                parts.remove(position);
+                continue;
+            }
+            part => parts[position] = part,
+        }
+        position += 1;
+    }
+    if parts.len() > 2 && parts.len() <= PAIRS {
+        pairs(bdd, &mut parts, and, lower, upper)?;
+    }
+    Ok(if and { Expr::all(parts) } else { Expr::any(parts) })
+}
+
+/// Two parts at a time, as one.
+fn pairs(
+    bdd: &mut Bdd,
+    parts: &mut Vec<Expr>,
+    and: bool,
+    lower: Function,
+    upper: Function,
+) -> Result<(), TooLarge> {
+    let join = |parts: Vec<Expr>| if and { Expr::all(parts) } else { Expr::any(parts) };
+    for first in 0..parts.len() {
+        for second in first + 1..parts.len() {
+            if second >= parts.len() {
+                break;
+            }
+            let (low, high) = bounds(bdd, parts, &[first, second], and, lower, upper)?;
+            let pair = split::split(bdd, low, high)?;
+            let mut others = parts.clone();
+            others.remove(second);
+            others[first] = pair;
+            if cost(&join(others.clone())) < cost(&join(parts.clone())) {
+                *parts = others;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn replaced(bdd: &mut Bdd, expr: Expr, lower: Function, upper: Function) -> Result<Expr, TooLarge> {
+    let other = split::split(bdd, lower, upper)?;
+    Ok(if cost(&other) < cost(&expr) { other } else { expr })
+}
+
+/// Between what the parts at `positions` may lie together.
+fn bounds(
+    bdd: &mut Bdd,
+    parts: &[Expr],
+    positions: &[usize],
+    and: bool,
+    lower: Function,
+    upper: Function,
+) -> Result<(Function, Function), TooLarge> {
+    let mut others = Function::from(and);
+    for (_, part) in parts.iter().enumerate().filter(|(position, _)| !positions.contains(position)) {
+        let part = part.function(bdd)?;
+        others = if and { bdd.and(others, part)? } else { bdd.or(others, part)? };
+    }
+    Ok(if and { (lower, bdd.or(upper, !others)?) } else { (bdd.without(lower, others)?, upper) })
+}
