@@ -424,6 +424,18 @@ codes! {
          component began to move.\n\n\
          Wrong:  automaton Door { initial state Shut [Closed] { run -> Moves } state Moves [Motor] { stop -> Shut } }\n\
          Right:  automaton Door { initial state Shut [!Motor] { run -> Moves } state Moves [Motor] { stop -> Shut } }\n";
+    NoFeedback = 140, "constraints that no feedback can keep",
+        "The feedback may inhibit controllable events only, and must leave a way to a state in which all automata are\n\
+         marked. From the initial state of this plant, whatever is inhibited, either a constraint is violated (a `never`\n\
+         holds, or something forbids an uncontrollable event that the components allow), or no such way is left. The play\n\
+         shows how: its last events happen by themselves, and nobody can prevent them.\n\n\
+         Weaken the constraint, mark more states, or make an event of the play controllable: often an actuator can\n\
+         be stopped where a constraint wants it.\n\n\
+         Wrong:  uncontrollable fall  …  constraint Dry: never Tank.Over\n\
+         Right:  controllable open { set Y0 }  …  constraint Dry: never Tank.Over\n";
+    AutomatonTooLarge = 141, "an automaton with more states than can be numbered",
+        "States of one automaton are numbered by 16 bits, so there can be 65,536. A component of that size is rarely one\n\
+         component: write its parts as automata of their own, with the events in which they act together in each of them.\n";
 }
 
 #[cfg(test)]

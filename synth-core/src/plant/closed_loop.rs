@@ -1,6 +1,6 @@
 //! The plant under its supremal controllable, nonblocking feedback.
 
-use super::EventId;
+use super::{AutomatonId, EventId, Plant};
 
 /// All states that are reachable under the feedback, and what is enabled and inhibited in each.
 ///
@@ -8,9 +8,10 @@ use super::EventId;
 /// components first.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ClosedLoop {
-    /// States of the reachable product of the components, and its transitions.
-    pub plant: (u64, u64),
-    /// The same with the constraints.
+    /// States of the reachable product of the components, and its transitions; `None` if they are too many to be counted,
+    /// which synthesis does not mind.
+    pub plant: Option<(u64, u64)>,
+    /// The same with the constraints: bad states are counted, with what leads to them, but not what lies behind them.
     pub constrained: (u64, u64),
     /// How many automata an entry has a state of.
     pub automata: usize,
@@ -57,5 +58,21 @@ impl ClosedLoop {
     #[must_use]
     pub fn inhibited(&self, entry: usize) -> &[EventId] {
         &self.inhibited[self.first_inhibited[entry] as usize..self.first_inhibited[entry + 1] as usize]
+    }
+
+    /// The constraint automata that carry memory, ascending: those whose state differs in entries in which all components
+    /// are in the same states.
+    #[must_use]
+    pub fn memory(&self, plant: &Plant) -> Vec<AutomatonId> {
+        let components = |entry: usize| &self.entry(entry)[..plant.components];
+        let mut remembers = vec![false; self.automata];
+        // In lexicographic order, entries with the same states of components are neighbours.
+        for entry in (1..self.len()).filter(|&entry| components(entry - 1) == components(entry)) {
+            let states = self.entry(entry - 1).iter().zip(self.entry(entry));
+            for (remembers, (before, after)) in remembers.iter_mut().zip(states) {
+                *remembers |= before != after;
+            }
+        }
+        (0..self.automata as AutomatonId).filter(|&automaton| remembers[automaton as usize]).collect()
     }
 }

@@ -18,21 +18,35 @@
 pub mod ast;
 mod closed_loop;
 mod condition;
+#[cfg(feature = "json")]
+mod json;
 mod model;
+mod moves;
+mod packing;
 mod parse;
+mod product;
 mod program;
+mod refusal;
 pub mod remember;
 mod resolve;
+mod supremal;
+mod text;
+mod why;
 
 pub use closed_loop::ClosedLoop;
 pub use condition::Condition;
+#[cfg(feature = "json")]
+pub use json::{Realization, write_json};
 pub use model::{
     Automaton, AutomatonId, Command, Constraint, Edge, Event, EventId, Plant, Rule, Signal, SignalId,
     SignalKind, State, StateRef,
 };
 pub use parse::{RESERVED, parse_text, parse_tokens};
 pub use program::{Coil, Drive, Program, Rung, Use, Variable};
+pub use refusal::{Reason, Source, Unavoidable};
 pub use resolve::resolve;
+pub use supremal::{SuperviseError, supervise};
+pub use why::{Why, why};
 
 use crate::diagnostic::Diagnostic;
 use crate::syntax::FileId;

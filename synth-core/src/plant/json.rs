@@ -1,0 +1,96 @@
+//! What `sml supervise` says, for programs.
+//!
+//! ```json
+//! {"version":1,"plant_states":128,"plant_transitions":512,"constrained_states":52,"constrained_transitions":120,"entries":52,
+//! "feedback":[
+//! {"state":{"Injector":"I2B","Barrel":"BE"},"inhibited":["inject"],"enabled":[]}
+//! ],
+//! "formulas":{"inject":"!Y2 && X0"},"instructions":116,"stack_depth":2,"rungs":6}
+//! ```
+//!
+//! A state names all components, and behind them the constraint automata that carry memory ([`ClosedLoop::memory`]), so that
+//! states are distinct. `enabled` are controllable events. The plant's figures are `null` if they were not counted.
+
+use super::{AutomatonId, ClosedLoop, EventId, Plant};
+use serde_json::{Value as Json, json};
+use std::io::{self, Write};
+
+/// What formulas and programs add.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Realization {
+    /// Per controllable event, by its name, when it may fire.
+    pub formulas: Vec<(String, String)>,
+    /// How many instructions the instruction list has.
+    pub instructions: usize,
+    /// How deep the stack becomes.
+    pub stack_depth: usize,
+    /// How many rungs there are.
+    pub rungs: usize,
+}
+
+/// Writes figures, feedback and formulas as one object.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_json(
+    plant: &Plant,
+    closed: &ClosedLoop,
+    realization: &Realization,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let (states, transitions) = closed.plant.unzip();
+    let (constrained_states, constrained_transitions) = closed.constrained;
+    writeln!(
+        out,
+        "{{\"version\":1,\"plant_states\":{},\"plant_transitions\":{},\"constrained_states\":{constrained_states},\
+         \"constrained_transitions\":{constrained_transitions},\"entries\":{},\n\"feedback\":[",
+        json!(states),
+        json!(transitions),
+        closed.len(),
+    )?;
+    let shown = shown(plant, closed);
+    for entry in 0..closed.len() {
+        let end = if entry + 1 == closed.len() { "\n" } else { ",\n" };
+        write!(
+            out,
+            "{{\"state\":{},\"inhibited\":{},\"enabled\":{}}}{end}",
+            state(plant, closed, &shown, entry),
+            names(plant, closed.inhibited(entry).iter().copied()),
+            names(plant, closed.enabled(plant, entry)),
+        )?;
+    }
+    writeln!(
+        out,
+        "],\n\"formulas\":{},\"instructions\":{},\"stack_depth\":{},\"rungs\":{}}}",
+        formulas(realization),
+        realization.instructions,
+        realization.stack_depth,
+        realization.rungs,
+    )
+}
+
+/// The automata that are shown in a state.
+fn shown(plant: &Plant, closed: &ClosedLoop) -> Vec<AutomatonId> {
+    (0..plant.components as AutomatonId).chain(closed.memory(plant)).collect()
+}
+
+/// An object, written by hand to keep its members in this order.
+fn state(plant: &Plant, closed: &ClosedLoop, shown: &[AutomatonId], entry: usize) -> String {
+    let states = closed.entry(entry);
+    let members = shown.iter().map(|&id| {
+        let automaton = &plant.automata[id as usize];
+        let state = &automaton.states[states[id as usize] as usize];
+        format!("{}:{}", json!(automaton.name), json!(state.name))
+    });
+    format!("{{{}}}", members.collect::<Vec<_>>().join(","))
+}
+
+fn names(plant: &Plant, events: impl Iterator<Item = EventId>) -> Json {
+    json!(events.map(|event| plant.events[event as usize].name.as_str()).collect::<Vec<_>>())
+}
+
+fn formulas(realization: &Realization) -> String {
+    let members =
+        realization.formulas.iter().map(|(event, text)| format!("{}:{}", json!(event), json!(text)));
+    format!("{{{}}}", members.collect::<Vec<_>>().join(","))
+}
