@@ -9,6 +9,7 @@ pub mod published;
 pub mod random;
 pub mod reference;
 pub mod same;
+pub mod scan;
 pub mod scratch;
 pub mod survive;
 pub mod tables;
