@@ -12,6 +12,7 @@ pub mod random;
 pub mod random_plant;
 pub mod reference;
 pub mod same;
+pub mod scan;
 pub mod scratch;
 pub mod survive;
 pub mod tables;

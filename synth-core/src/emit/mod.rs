@@ -1,10 +1,12 @@
-//! Back ends: texts made of [`Tables`](crate::controller::tables::Tables) and nothing else.
+//! Back ends: texts made of [`Tables`](crate::controller::tables::Tables), or of a [`Program`](crate::plant::Program) of
+//! rungs ([`scan`]), and nothing else.
 
 mod diagram;
 pub mod dot;
 pub mod mermaid;
 pub mod names;
 pub mod rust;
+pub mod scan;
 pub mod shell;
 pub mod st;
 pub mod template;

@@ -123,11 +123,11 @@ fn operation(event: &Event) -> String {
     identifier(&format!("{}({})", event.operation, event.arguments.join(", ")))
 }
 
-fn ident(name: &str) -> Ident {
+pub(super) fn ident(name: &str) -> Ident {
     Ident::new(name, Span::call_site())
 }
 
-fn camel_namer() -> Namer {
+pub(super) fn camel_namer() -> Namer {
     Namer::new(is_own_type).numbered(numbered_camel)
 }
 
@@ -149,7 +149,7 @@ fn is_own_static(name: &str) -> bool {
 }
 
 /// Keywords of every edition, reserved ones too; those in snake case, since nothing else is asked.
-fn is_keyword(name: &str) -> bool {
+pub(super) fn is_keyword(name: &str) -> bool {
     matches!(
         name,
         "abstract"

@@ -12,6 +12,7 @@ mod engine;
 mod event;
 mod idents;
 mod layout;
+pub mod scan;
 mod secondary;
 mod tables;
 mod template;

@@ -36,6 +36,7 @@ mod owed;
 pub mod plcopen;
 mod program;
 mod retain;
+pub mod scan;
 mod secondary;
 mod unit;
 mod writer;
@@ -157,7 +158,7 @@ pub fn text(tables: &Tables, options: &Options) -> Result<String, Unfit> {
     for unit in block.units().iter().chain([&program::unit(&block)]) {
         frame.unit(&mut out, unit);
     }
-    frame.configuration(&mut out, &block.names);
+    frame.configuration(&mut out, &block.names.runner());
     Ok(out.finish())
 }
 

@@ -221,6 +221,23 @@ impl Names {
     }
 }
 
+/// What runs the program.
+pub(super) struct Runner<'a> {
+    pub(super) program: &'a str,
+    /// What holds the program, where that is a block of the project.
+    pub(super) data_block: &'a str,
+    /// What runs it there.
+    pub(super) organization_block: &'a str,
+}
+
+impl Names {
+    /// What runs the program.
+    pub(super) fn runner(&self) -> Runner<'_> {
+        let Names { program, data_block, organization_block, .. } = self;
+        Runner { program, data_block, organization_block }
+    }
+}
+
 /// The names in use, in capitals.
 pub(super) struct Scope {
     used: BTreeSet<String>,

@@ -1,6 +1,6 @@
 //! What stands around declarations and statements: types, heads of units, and what runs the program.
 
-use crate::emit::st::names::Names;
+use crate::emit::st::names::{Names, Runner};
 use crate::emit::st::program::configuration;
 use crate::emit::st::unit::{Item, Kind, Section, Type, Unit, Value};
 use crate::emit::st::writer::Writer;
@@ -38,7 +38,7 @@ pub(in crate::emit::st) trait Frame: Sync {
     fn unit(&self, out: &mut Writer, unit: &Unit<'_>);
 
     /// Runs the program every 10 ms.
-    fn configuration(&self, out: &mut Writer, names: &Names);
+    fn configuration(&self, out: &mut Writer, runner: &Runner<'_>);
 }
 
 /// A section of variables.
@@ -122,12 +122,12 @@ impl Frame for Standard {
         out.gap();
     }
 
-    fn configuration(&self, out: &mut Writer, names: &Names) {
+    fn configuration(&self, out: &mut Writer, runner: &Runner<'_>) {
         use configuration::{INSTANCE, INTERVAL_MS, NAME, PRIORITY, RESOURCE, TASK};
         out.block(format_args!("CONFIGURATION {NAME}"), "END_CONFIGURATION", |out| {
             out.block(format_args!("RESOURCE {RESOURCE} ON PLC"), "END_RESOURCE", |out| {
                 out.line(format_args!("TASK {TASK}(INTERVAL := T#{INTERVAL_MS}ms, PRIORITY := {PRIORITY});"));
-                out.line(format_args!("PROGRAM {INSTANCE} WITH {TASK} : {};", names.program));
+                out.line(format_args!("PROGRAM {INSTANCE} WITH {TASK} : {};", runner.program));
             });
         });
     }
@@ -205,12 +205,12 @@ impl Frame for Scl {
         out.gap();
     }
 
-    fn configuration(&self, out: &mut Writer, names: &Names) {
-        let (instance, task) = (quoted(&names.data_block), quoted(&names.organization_block));
+    fn configuration(&self, out: &mut Writer, runner: &Runner<'_>) {
+        let (instance, task) = (quoted(runner.data_block), quoted(runner.organization_block));
         out.line(format_args!("DATA_BLOCK {instance}"));
         out.line("{ S7_Optimized_Access := 'TRUE' }");
         out.line("VERSION : 0.1");
-        out.line(quoted(&names.program));
+        out.line(quoted(runner.program));
         out.line("BEGIN");
         out.line("END_DATA_BLOCK");
         out.gap();

@@ -9,15 +9,17 @@
 //! same bytes; what a file was made from is told by the input hash in its description.
 
 mod interface;
+pub mod ladder;
 mod xml;
 
 use super::block::Block;
-use super::names::Names;
+use super::dialect::Frame;
+use super::names::Runner;
 use super::program::{self, configuration};
 use super::unit::{Kind, Unit};
 use super::writer::{Writer, harmless};
 use super::{Options, Target, Unfit, header};
-use crate::controller::tables::Tables;
+use crate::controller::tables::{Provenance, Tables};
 use interface::data_type;
 use xml::Xml;
 
@@ -90,19 +92,18 @@ pub fn document(tables: &Tables, dialect: Dialect, options: &Options) -> Result<
     let block = Block { argument: dialect.argument(), ..Block::new(tables, options)? };
     let mut xml = Xml::new(dialect.paragraph());
     xml.element("project", &[("xmlns", NAMESPACE)], |xml| {
-        headers(xml, tables);
+        headers(xml, &tables.specification, &tables.provenance);
         xml.element("types", &[], |xml| {
             data_types(xml, &block);
             xml.element("pous", &[], |xml| units(xml, &block, dialect));
         });
-        instances(xml, &block.names, dialect);
+        instances(xml, &block.names.runner(), dialect);
     });
     Ok(xml.finish())
 }
 
-fn headers(xml: &mut Xml, tables: &Tables) {
-    let description =
-        format!("Generated from {}, input hash {}", tables.provenance.file, tables.provenance.hash);
+fn headers(xml: &mut Xml, name: &str, provenance: &Provenance) {
+    let description = format!("Generated from {}, input hash {}", provenance.file, provenance.hash);
     let file = [
         ("companyName", ""),
         ("productName", "sml"),
@@ -111,7 +112,7 @@ fn headers(xml: &mut Xml, tables: &Tables) {
         ("contentDescription", &harmless(&description)),
     ];
     xml.empty("fileHeader", &file);
-    xml.element("contentHeader", &[("name", &tables.specification)], |xml| {
+    xml.element("contentHeader", &[("name", name)], |xml| {
         xml.element("coordinateInfo", &[], |xml| {
             for language in ["fbd", "ld", "sfc"] {
                 xml.on_a_line(language, &[], |xml| xml.empty("scaling", &[("x", "1"), ("y", "1")]));
@@ -140,6 +141,11 @@ fn units(xml: &mut Xml, block: &Block<'_>, dialect: Dialect) {
 }
 
 fn pou(xml: &mut Xml, block: &Block<'_>, unit: &Unit<'_>, comment: &[&str]) {
+    pou_with(xml, unit, comment, |xml| structured_text(xml, block.dialect().frame, unit));
+}
+
+/// A unit whose body is what `body` writes.
+fn pou_with(xml: &mut Xml, unit: &Unit<'_>, comment: &[&str], body: impl FnOnce(&mut Xml)) {
     let (kind, returned) = match &unit.kind {
         Kind::Function(returned) => ("function", Some(returned)),
         Kind::FunctionBlock => ("functionBlock", None),
@@ -154,13 +160,16 @@ fn pou(xml: &mut Xml, block: &Block<'_>, unit: &Unit<'_>, comment: &[&str]) {
                 interface::section(xml, section);
             }
         });
-        let mut body = Writer::new(block.dialect().frame);
-        (unit.body)(&mut body);
-        xml.element("body", &[], |xml| {
-            xml.element("ST", &[], |xml| xml.text(&body.finish()));
-        });
+        xml.element("body", &[], body);
         documentation(xml, comment);
     });
+}
+
+/// The statements of a unit.
+fn structured_text(xml: &mut Xml, frame: &dyn Frame, unit: &Unit<'_>) {
+    let mut body = Writer::new(frame);
+    (unit.body)(&mut body);
+    xml.element("ST", &[], |xml| xml.text(&body.finish()));
 }
 
 /// Says nothing without any line. Tools show documentation as comments, so no line may end one.
@@ -173,12 +182,12 @@ fn documentation(xml: &mut Xml, lines: &[&str]) {
     }
 }
 
-fn instances(xml: &mut Xml, names: &Names, dialect: Dialect) {
+fn instances(xml: &mut Xml, runner: &Runner<'_>, dialect: Dialect) {
     use configuration::{INSTANCE, NAME, PRIORITY, RESOURCE, TASK};
     let interval = dialect.interval();
     let priority = PRIORITY.to_string();
     let task = [("name", TASK), ("interval", &interval), ("priority", &priority)];
-    let instance = [("name", INSTANCE), ("typeName", &names.program)];
+    let instance = [("name", INSTANCE), ("typeName", runner.program)];
     xml.element("instances", &[], |xml| {
         xml.element("configurations", &[], |xml| {
             xml.element("configuration", &[("name", NAME)], |xml| {

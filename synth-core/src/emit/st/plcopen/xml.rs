@@ -81,6 +81,14 @@ impl Xml {
         self.event(Event::End(BytesEnd::new(self.paragraph)));
     }
 
+    /// An element on a line, with text in it.
+    pub(super) fn plain(&mut self, name: &str, text: &str) {
+        self.line();
+        self.event(Event::Start(start(name, &[])));
+        self.event(Event::Text(BytesText::new(&legal(text))));
+        self.event(Event::End(BytesEnd::new(name)));
+    }
+
     fn line(&mut self) {
         if self.lines {
             let indent = format!("\n{}", INDENT.repeat(self.depth));

@@ -1,0 +1,98 @@
+//! Expressions as text.
+
+use crate::logic::{Expr, Var};
+
+/// How a language writes expressions; conjunction binds tighter than disjunction in all of them.
+pub(in crate::emit) struct Notation {
+    not: &'static str,
+    and: &'static str,
+    or: &'static str,
+    constants: [&'static str; 2],
+}
+
+/// That of plants, and of Rust.
+pub(in crate::emit) static PLANT: Notation =
+    Notation { not: "!", and: "&&", or: "||", constants: ["false", "true"] };
+
+/// That of Structured Text.
+pub(in crate::emit) static STRUCTURED: Notation =
+    Notation { not: "NOT ", and: "AND", or: "OR", constants: ["FALSE", "TRUE"] };
+
+impl Notation {
+    /// The expression on one line.
+    pub(in crate::emit) fn text(&self, expr: &Expr, name: &dyn Fn(Var) -> String) -> String {
+        self.parts(expr, name).join(" ")
+    }
+
+    /// The expression in pieces: a line may end between any two of them, a space joins them.
+    pub(in crate::emit) fn parts(&self, expr: &Expr, name: &dyn Fn(Var) -> String) -> Vec<String> {
+        let mut parts = Vec::new();
+        self.push(expr, name, &mut parts, "");
+        parts
+    }
+
+    /// `before` stands before the first piece: an operator with a space, parentheses.
+    fn push(&self, expr: &Expr, name: &dyn Fn(Var) -> String, parts: &mut Vec<String>, before: &str) {
+        match expr {
+            Expr::Constant(value) => parts.push(format!("{before}{}", self.constants[usize::from(*value)])),
+            Expr::Literal(literal) => {
+                let not = if literal.negated { self.not } else { "" };
+                parts.push(format!("{before}{not}{}", name(literal.variable)));
+            }
+            Expr::And(all) => self.join(all, self.and, name, parts, before),
+            Expr::Or(any) => self.join(any, self.or, name, parts, before),
+        }
+    }
+
+    fn join(
+        &self,
+        terms: &[Expr],
+        operator: &str,
+        name: &dyn Fn(Var) -> String,
+        parts: &mut Vec<String>,
+        before: &str,
+    ) {
+        for (index, term) in terms.iter().enumerate() {
+            let before = if index == 0 { before.to_owned() } else { format!("{operator} ") };
+            if matches!(term, Expr::Or(_)) {
+                self.push(term, name, parts, &format!("{before}("));
+                if let Some(last) = parts.last_mut() {
+                    last.push(')');
+                }
+            } else {
+                self.push(term, name, parts, &before);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::logic::Literal;
+
+    fn literal(variable: Var, negated: bool) -> Expr {
+        Expr::Literal(Literal { variable, negated })
+    }
+
+    #[track_caller]
+    fn check(notation: &Notation, expr: &Expr, expect: &[&str]) {
+        assert_eq!(notation.parts(expr, &|variable| format!("x{variable}")), expect);
+    }
+
+    #[test]
+    fn parentheses_stand_where_they_must() {
+        let either = Expr::Or(vec![literal(1, true), literal(2, false)]);
+        let both = Expr::And(vec![either.clone(), literal(0, false), either.clone()]);
+        check(&PLANT, &both, &["(!x1", "|| x2)", "&& x0", "&& (!x1", "|| x2)"]);
+        check(&STRUCTURED, &both, &["(NOT x1", "OR x2)", "AND x0", "AND (NOT x1", "OR x2)"]);
+        check(&PLANT, &Expr::Or(vec![both, literal(3, false)]), &["(!x1", "|| x2)", "&& x0", "&& (!x1", "|| x2)", "|| x3"]);
+        check(&PLANT, &either, &["!x1", "|| x2"]);
+    }
+
+    #[test]
+    fn constants_are_words() {
+        check(&PLANT, &Expr::Constant(true), &["true"]);
+        check(&STRUCTURED, &Expr::Constant(false), &["FALSE"]);
+    }
+}
