@@ -159,8 +159,25 @@ pub struct Size {
 
 /// Names that some target takes for something else.
 const NAMES: &[&str] = &[
-    "if", "Ton", "enable", "controller", "STR", "not", "type", "self", "inputs", "events", "holds", "condition",
-    "main0", "Memory", "a_rather_long_name_of_a_sensor_at_the_end_of_the_belt", "x1", "X_1", "loop", "inputVar",
+    "if",
+    "Ton",
+    "enable",
+    "controller",
+    "STR",
+    "not",
+    "type",
+    "self",
+    "inputs",
+    "events",
+    "holds",
+    "condition",
+    "main0",
+    "Memory",
+    "a_rather_long_name_of_a_sensor_at_the_end_of_the_belt",
+    "x1",
+    "X_1",
+    "loop",
+    "inputVar",
 ];
 
 /// A random program.
@@ -215,10 +232,17 @@ pub fn random(name: &str, size: Size, seed: u64) -> Plan {
         } else {
             coils(&mut random, inputs, outputs + memory)
         };
-        let event = (!events.is_empty() && random.below(2) == 0).then(|| 2 * random.below(events.len() as u32 / 2));
-        rungs.push(Rung { event, comment: vec![format!("Why it is so: number {number} *) here.")], condition, coils });
+        let event =
+            (!events.is_empty() && random.below(2) == 0).then(|| 2 * random.below(events.len() as u32 / 2));
+        rungs.push(Rung {
+            event,
+            comment: vec![format!("Why it is so: number {number} *) here.")],
+            condition,
+            coils,
+        });
     }
-    let program = Program { name: name.to_owned(), doc: vec![" A plant.".to_owned()], variables, analogues, rungs };
+    let program =
+        Program { name: name.to_owned(), doc: vec![" A plant.".to_owned()], variables, analogues, rungs };
     Plan::new(program, events)
 }
 

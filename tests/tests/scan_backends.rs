@@ -147,7 +147,8 @@ fn structured_text() {
             let source = plan.source();
             let text = st::scan::text(&source, target);
             assert!(text.lines().all(|line| line.chars().count() <= 120), "{text}");
-            let unit = Unit::parse(&text, dialect(target)).unwrap_or_else(|errors| panic!("{errors:?}\n{text}"));
+            let unit =
+                Unit::parse(&text, dialect(target)).unwrap_or_else(|errors| panic!("{errors:?}\n{text}"));
             let NameMap { function_block, variables, analogues, .. } = st::scan::names(&source, target);
             let mut block = unit.instance(&function_block).expect("it is there");
             // Before the first call, all is as it should be initially.
@@ -164,7 +165,8 @@ fn structured_text() {
                 }
                 block.set("enable", false).expect("an input");
                 block.call().expect("it runs");
-                let unchanged = plan.variables(is_kept).all(|v| block.bool(&variables[v]) == Ok(state.values[v]));
+                let unchanged =
+                    plan.variables(is_kept).all(|v| block.bool(&variables[v]) == Ok(state.values[v]));
                 assert!(unchanged, "nothing is done while disabled");
                 block.set("enable", true).expect("an input");
                 block.call().expect("it runs");

@@ -101,8 +101,7 @@ impl Bdd {
         if low == high {
             return Ok(low);
         }
-        let node =
-            Node { variable, low: low.negated_like(high), high: high.negated_like(high) };
+        let node = Node { variable, low: low.negated_like(high), high: high.negated_like(high) };
         if let Some(&known) = self.unique.get(&node) {
             return Ok(known.negated_like(high));
         }
@@ -137,11 +136,7 @@ impl Bdd {
     #[must_use]
     pub fn branches(&self, f: Function, variable: Var) -> (Function, Function) {
         let node = &self.nodes[f.node()];
-        if node.variable == variable {
-            (node.low.negated_like(f), node.high.negated_like(f))
-        } else {
-            (f, f)
-        }
+        if node.variable == variable { (node.low.negated_like(f), node.high.negated_like(f)) } else { (f, f) }
     }
 
     /// The variable that is tested first by one of two functions that are not both constant.
@@ -253,8 +248,7 @@ impl Bdd {
         let (low, high) = self.branches(f, top);
         let low = self.exists_memo(low, variables, memo)?;
         let high = self.exists_memo(high, variables, memo)?;
-        let result =
-            if variables[0] == top { self.or(low, high)? } else { self.make(top, low, high)? };
+        let result = if variables[0] == top { self.or(low, high)? } else { self.make(top, low, high)? };
         memo.insert(f, result);
         Ok(result)
     }

@@ -85,17 +85,18 @@ impl Cover {
 
     /// The literals of a term, by variable.
     pub fn literals_of(&self, cube: Cube) -> impl Iterator<Item = Literal> {
-        cube.iter().map(|(position, value)| Literal {
-            variable: self.variables[position as usize],
-            negated: !value,
-        })
+        cube.iter()
+            .map(|(position, value)| Literal { variable: self.variables[position as usize], negated: !value })
     }
 
     /// As an expression in two levels.
     #[must_use]
     pub fn expr(&self) -> Expr {
         Expr::any(
-            self.cubes.iter().map(|&cube| Expr::all(self.literals_of(cube).map(Expr::Literal).collect())).collect(),
+            self.cubes
+                .iter()
+                .map(|&cube| Expr::all(self.literals_of(cube).map(Expr::Literal).collect()))
+                .collect(),
         )
     }
 
@@ -136,7 +137,9 @@ impl Cover {
         let term = |&cube: &Cube| {
             let literals: Vec<String> = self
                 .literals_of(cube)
-                .map(|literal| format!("{}{}", if literal.negated { "!" } else { "" }, name(literal.variable)))
+                .map(|literal| {
+                    format!("{}{}", if literal.negated { "!" } else { "" }, name(literal.variable))
+                })
                 .collect();
             literals.join(" && ")
         };

@@ -107,7 +107,8 @@ impl Covering<'_> {
         for row in order {
             if row.iter().all(|&column| !used[column as usize]) {
                 row.iter().for_each(|&column| used[column as usize] = true);
-                bound += row.iter().map(|&column| self.weights[column as usize]).min().unwrap_or(u64::MAX / 4);
+                bound +=
+                    row.iter().map(|&column| self.weights[column as usize]).min().unwrap_or(u64::MAX / 4);
             }
         }
         bound

@@ -31,8 +31,11 @@ pub(crate) fn read(text: &str) -> Vec<Network> {
         }
     };
     for block in text.split("\n\n") {
-        let lines: Vec<Vec<char>> = block.trim_end_matches('\n').split('\n').map(|line| line.chars().collect()).collect();
-        let is_drawing = lines.get(1).is_some_and(|line| matches!(line.first(), Some('|' | '>')) || line.starts_with(&[' ', ' ']))
+        let lines: Vec<Vec<char>> =
+            block.trim_end_matches('\n').split('\n').map(|line| line.chars().collect()).collect();
+        let is_drawing = lines
+            .get(1)
+            .is_some_and(|line| matches!(line.first(), Some('|' | '>')) || line.starts_with(&[' ', ' ']))
             && lines[0].first().is_some_and(|first| matches!(first, '|' | ' '));
         let is_first = lines.get(1).is_some_and(|line| line.first() == Some(&'|'));
         if !is_drawing || is_first {
@@ -105,7 +108,11 @@ fn network(pages: &[Vec<Vec<char>>]) -> Network {
                     if wire(line[column]) && next_wire {
                         sets.unite(at(page, number, column), at(page, number, column + 1));
                     }
-                    if column > 0 && column + 1 == line.len() && line[column] == '|' && line[column - 1] == '-' {
+                    if column > 0
+                        && column + 1 == line.len()
+                        && line[column] == '|'
+                        && line[column - 1] == '-'
+                    {
                         right_rail.push(at(page, number, column));
                     }
                 }
@@ -114,9 +121,13 @@ fn network(pages: &[Vec<Vec<char>>]) -> Network {
                     (0..3).any(|back| column >= back && symbol_at(line, column - back).is_some())
                 };
                 let below = lines.get(number + 1);
-                let is_rail = column + 1 == line.len() && matches!(line.get(column), Some('|')) && page + 1 == pages.len()
+                let is_rail = column + 1 == line.len()
+                    && matches!(line.get(column), Some('|'))
+                    && page + 1 == pages.len()
                     && below.is_none_or(|below| below.len() == line.len());
-                if vertical(Some(line), column) && vertical(below, column) && !is_rail
+                if vertical(Some(line), column)
+                    && vertical(below, column)
+                    && !is_rail
                     && !below.is_some_and(|below| in_symbol(below))
                 {
                     sets.unite(at(page, number, column), at(page, number + 1, column));

@@ -3,7 +3,11 @@
 use std::collections::BTreeMap;
 
 /// Does a scan over variables and analogue inputs by name, and returns how many instructions there were and how high the stack was.
-pub(crate) fn run(text: &str, bits: &mut BTreeMap<String, bool>, numbers: &BTreeMap<String, i64>) -> (usize, usize) {
+pub(crate) fn run(
+    text: &str,
+    bits: &mut BTreeMap<String, bool>,
+    numbers: &BTreeMap<String, i64>,
+) -> (usize, usize) {
     let mut stack: Vec<bool> = Vec::new();
     let (mut count, mut depth) = (0, 0);
     for line in text.lines() {

@@ -86,7 +86,11 @@ mod tests {
         let both = Expr::And(vec![either.clone(), literal(0, false), either.clone()]);
         check(&PLANT, &both, &["(!x1", "|| x2)", "&& x0", "&& (!x1", "|| x2)"]);
         check(&STRUCTURED, &both, &["(NOT x1", "OR x2)", "AND x0", "AND (NOT x1", "OR x2)"]);
-        check(&PLANT, &Expr::Or(vec![both, literal(3, false)]), &["(!x1", "|| x2)", "&& x0", "&& (!x1", "|| x2)", "|| x3"]);
+        check(
+            &PLANT,
+            &Expr::Or(vec![both, literal(3, false)]),
+            &["(!x1", "|| x2)", "&& x0", "&& (!x1", "|| x2)", "|| x3"],
+        );
         check(&PLANT, &either, &["!x1", "|| x2"]);
     }
 

@@ -191,7 +191,9 @@ fn depth(expr: &Expr) -> usize {
         Expr::And(parts) | Expr::Or(parts) => {
             let mut depths: Vec<usize> = parts.iter().map(depth).collect();
             depths.sort_unstable_by(|a, b| b.cmp(a));
-            let below = |(index, &depth): (usize, &usize)| if depth == 0 { 0 } else { depth + usize::from(index > 0) };
+            let below = |(index, &depth): (usize, &usize)| {
+                if depth == 0 { 0 } else { depth + usize::from(index > 0) }
+            };
             depths.iter().enumerate().map(below).max().unwrap_or(0).max(1)
         }
     }

@@ -77,7 +77,8 @@ impl<'a> Source<'a> {
 
     /// Per analogue input whether the ends of its ranges all lie between two values, both included.
     pub(in crate::emit) fn analogue_fits(&self, analogue: u32, least: i64, greatest: i64) -> bool {
-        self.ranges().filter(|&(_, of, ..)| of == analogue).all(|(_, _, low, high)| low >= least && high <= greatest)
+        self.ranges()
+            .filter(|&(_, of, ..)| of == analogue)
+            .all(|(_, _, low, high)| low >= least && high <= greatest)
     }
 }
-

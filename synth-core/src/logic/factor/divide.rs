@@ -58,13 +58,14 @@ impl Division<'_> {
     fn by_kernel(&self, cubes: &[Cube]) -> Option<Expr> {
         let mut kernels = Vec::new();
         kernels_of(cubes, 0, &mut kernels);
-        let kernel = kernels.into_iter().filter(|kernel| kernel.len() < cubes.len()).max_by_key(|kernel| {
-            let divided = divide(cubes, kernel);
-            let literals: u32 = kernel.iter().map(|cube| cube.literals()).sum();
-            let quotient: u32 = divided.quotient.iter().map(|cube| cube.literals()).sum();
-            let (times, terms) = (divided.quotient.len() as u32, kernel.len() as u32);
-            times.saturating_sub(1) * literals + terms.saturating_sub(1) * quotient
-        })?;
+        let kernel =
+            kernels.into_iter().filter(|kernel| kernel.len() < cubes.len()).max_by_key(|kernel| {
+                let divided = divide(cubes, kernel);
+                let literals: u32 = kernel.iter().map(|cube| cube.literals()).sum();
+                let quotient: u32 = divided.quotient.iter().map(|cube| cube.literals()).sum();
+                let (times, terms) = (divided.quotient.len() as u32, kernel.len() as u32);
+                times.saturating_sub(1) * literals + terms.saturating_sub(1) * quotient
+            })?;
         let divided = divide(cubes, &kernel);
         let quotient = strip(&divided.quotient, common(&divided.quotient));
         // The other factor is often better to start from: what it divides can be more than the kernel.
@@ -84,8 +85,7 @@ impl Division<'_> {
 /// The literals that all terms have.
 fn common(cubes: &[Cube]) -> Cube {
     let Some(first) = cubes.first() else { return Cube::ALL };
-    let care =
-        cubes.iter().fold(first.care, |care, cube| care & cube.care & !(cube.value ^ first.value));
+    let care = cubes.iter().fold(first.care, |care, cube| care & cube.care & !(cube.value ^ first.value));
     Cube { care, value: first.value & care }
 }
 

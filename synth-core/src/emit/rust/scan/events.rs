@@ -81,7 +81,8 @@ fn event_doc(source: &Source<'_>, number: u32, event: &Event) -> TokenStream {
     for rung in rungs {
         let condition = PLANT.text(&rung.condition, &name);
         let commands = commands(source, rung);
-        let does = if commands.is_empty() { "Nothing is done".to_owned() } else { format!("It does: {commands};") };
+        let does =
+            if commands.is_empty() { "Nothing is done".to_owned() } else { format!("It does: {commands};") };
         lines.push(String::new());
         lines.push(format!("{does} where `{condition}`."));
         lines.extend(gap(&rung.comment).map(str::to_owned));

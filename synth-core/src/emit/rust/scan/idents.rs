@@ -35,7 +35,11 @@ impl Idents {
             module: ident(&Namer::new(is_keyword).name(&snake(&identifier(&program.name)))),
             variables,
             analogues,
-            events: source.events.iter().map(|event| event.controllable.then(|| variant(&event.name))).collect(),
+            events: source
+                .events
+                .iter()
+                .map(|event| event.controllable.then(|| variant(&event.name)))
+                .collect(),
             usages: program.variables.iter().map(|variable| variable.usage).collect(),
         }
     }

@@ -13,7 +13,11 @@ pub(super) fn scan(source: &Source<'_>, idents: &Idents) -> TokenStream {
         let (name, analogue) = (idents.place(variable), &idents.analogues[analogue as usize]);
         let [least, greatest] = [low, high].map(Literal::i64_unsuffixed);
         // An empty range is an error to Clippy.
-        let value = if low <= high { quote!((#least..=#greatest).contains(&inputs.#analogue)) } else { quote!(false) };
+        let value = if low <= high {
+            quote!((#least..=#greatest).contains(&inputs.#analogue))
+        } else {
+            quote!(false)
+        };
         quote!(let #name = #value;)
     });
     let scratch = idents.variables.iter().zip(&source.program.variables);

@@ -20,7 +20,9 @@ pub(super) enum Cell {
 /// A symbol of a ladder.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Symbol {
-    Contact { negated: bool },
+    Contact {
+        negated: bool,
+    },
     /// A contact that closes where a comparison holds.
     Comparison,
     Coil(Drive),

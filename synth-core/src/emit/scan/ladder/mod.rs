@@ -7,8 +7,8 @@ mod text;
 pub(in crate::emit) use grid::drawn;
 #[cfg(feature = "plcopen")]
 pub(in crate::emit) use grid::places;
-pub(in crate::emit) use svg::escaped;
 pub use svg::drawing;
+pub(in crate::emit) use svg::escaped;
 pub use text::text;
 
 use super::{Source, rung_lines};
@@ -28,7 +28,10 @@ fn networks(source: &Source<'_>) -> Vec<Network> {
         let (name, analogue) = (source.name(variable), &program.analogues[analogue as usize]);
         let mut lines = vec![format!("Range {name}: {analogue} from {low} to {high}")];
         lines.extend(program.variables[variable as usize].doc.iter().map(|line| line.trim().to_owned()));
-        Network { lines, grid: Some(Grid::range(name, [format!("{analogue} >= {low}"), format!("{analogue} <= {high}")])) }
+        Network {
+            lines,
+            grid: Some(Grid::range(name, [format!("{analogue} >= {low}"), format!("{analogue} <= {high}")])),
+        }
     });
     let rungs = (1..).zip(&program.rungs).map(|(number, rung)| {
         let mut lines = rung_lines(source, number, rung);

@@ -113,7 +113,8 @@ impl Networks {
     fn new(block: &Block<'_>) -> Networks {
         let source = block.source;
         let (_, mut scope) = Names::new(source, block.target);
-        let mut networks = Networks { variables: block.names.variables.clone(), own: Vec::new(), all: Vec::new() };
+        let mut networks =
+            Networks { variables: block.names.variables.clone(), own: Vec::new(), all: Vec::new() };
         for (variable, analogue, low, high) in source.ranges() {
             let analogue = &block.names.analogues[analogue as usize];
             networks.all.push(Network {
@@ -150,7 +151,8 @@ impl Networks {
                 rung.coils.clone()
             }
         };
-        let coils = coils.iter().map(|coil| (self.variables[coil.variable as usize].clone(), coil.drive)).collect();
+        let coils =
+            coils.iter().map(|coil| (self.variables[coil.variable as usize].clone(), coil.drive)).collect();
         self.all.push(Network { comment, condition: Condition::Contacts(condition), coils });
     }
 
@@ -169,7 +171,8 @@ fn in_any_order(condition: &Expr, coils: &[Coil]) -> Option<Vec<Coil>> {
         coils.iter().partition(|coil| reads(condition, coil.variable));
     first.append(&mut last);
     let late = coils.iter().filter(|coil| reads(condition, coil.variable)).count();
-    let twice = (1..coils.len()).any(|end| coils[..end].iter().any(|coil| coil.variable == coils[end].variable));
+    let twice =
+        (1..coils.len()).any(|end| coils[..end].iter().any(|coil| coil.variable == coils[end].variable));
     (late <= 1 && !twice).then_some(first)
 }
 
@@ -209,12 +212,15 @@ impl Pen<'_> {
                 let widths = self.widths(condition, &places, columns);
                 let mut ends = vec![left + COLUMN_GAP];
                 widths.iter().for_each(|width| ends.push(ends[ends.len() - 1] + width));
-                let at: Vec<_> = places.iter().map(|&(column, row)| (ends[column], top + row * ROW)).collect();
+                let at: Vec<_> =
+                    places.iter().map(|&(column, row)| (ends[column], top + row * ROW)).collect();
                 let from = self.contacts(condition, vec![(rail, None)], &mut at.iter());
                 (from, ends[columns], rows)
             }
             // Blocks are connected to variables, so there is no left rail.
-            Condition::Range(analogue, low, high) => (self.range(analogue, *low, *high, top), left + 4 * 120, 3),
+            Condition::Range(analogue, low, high) => {
+                (self.range(analogue, *low, *high, top), left + 4 * 120, 3)
+            }
         };
         let width = network.coils.iter().map(|(name, _)| name.len() * CHARACTER).max().unwrap_or(0);
         let mut coils = Vec::new();
@@ -252,9 +258,7 @@ impl Pen<'_> {
                 vec![(self.contact(*literal, at, &from), None)]
             }
             Expr::And(all) => all.iter().fold(from, |from, part| self.contacts(part, from, places)),
-            Expr::Or(any) => {
-                any.iter().flat_map(|part| self.contacts(part, from.clone(), places)).collect()
-            }
+            Expr::Or(any) => any.iter().flat_map(|part| self.contacts(part, from.clone(), places)).collect(),
         }
     }
 
@@ -407,7 +411,8 @@ fn point_in(xml: &mut Xml, at: (usize, usize), from: &[From]) {
         for (id, output) in from {
             let id = id.to_string();
             let output = output.map(|output| ("formalParameter", output));
-            let attributes: Vec<Attribute<'_>> = std::iter::once(("refLocalId", id.as_str())).chain(output).collect();
+            let attributes: Vec<Attribute<'_>> =
+                std::iter::once(("refLocalId", id.as_str())).chain(output).collect();
             xml.empty("connection", &attributes);
         }
     });

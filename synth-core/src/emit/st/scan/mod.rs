@@ -9,10 +9,10 @@
 
 mod names;
 
+use super::Target;
 use super::dialect::Dialect;
 use super::unit::{Declarations, Kind, Section, Type, Unit};
 use super::writer::Writer;
-use super::Target;
 use crate::emit::scan::formula::STRUCTURED;
 use crate::emit::scan::{NameMap, Source, origin, rung_lines};
 use crate::logic::{Expr, Var};
@@ -79,7 +79,8 @@ impl<'a> Block<'a> {
     }
 
     fn has_statements(&self) -> bool {
-        self.source.ranges().next().is_some() || self.source.program.rungs.iter().any(|rung| !rung.coils.is_empty())
+        self.source.ranges().next().is_some()
+            || self.source.program.rungs.iter().any(|rung| !rung.coils.is_empty())
     }
 
     /// The program that passes everything through.
@@ -123,7 +124,12 @@ impl<'a> Block<'a> {
     }
 
     /// A section, unless nothing is in it: strict compilers want a variable in each.
-    fn section(&self, declarations: &mut Declarations, keyword: &'static str, inside: impl FnOnce(&mut Section)) {
+    fn section(
+        &self,
+        declarations: &mut Declarations,
+        keyword: &'static str,
+        inside: impl FnOnce(&mut Section),
+    ) {
         let mut section = Section { keyword, items: Vec::new() };
         inside(&mut section);
         if !section.items.is_empty() {
@@ -181,7 +187,9 @@ impl<'a> Block<'a> {
             }
             coils => {
                 assign(out, "IF", condition, " THEN");
-                out.indented(|out| coils.iter().for_each(|coil| self.drive(out, coil, coil.drive != Drive::Reset)));
+                out.indented(|out| {
+                    coils.iter().for_each(|coil| self.drive(out, coil, coil.drive != Drive::Reset))
+                });
                 if coils.iter().any(|coil| coil.drive == Drive::Out) {
                     out.code("ELSE");
                     let outs = coils.iter().filter(|coil| coil.drive == Drive::Out);

@@ -1,0 +1,140 @@
+//! Bits for what constraints remember: followed through the closed loop, they always are what they have to be.
+
+use std::collections::BTreeMap;
+
+use sml_tests::plant_builder::PlantBuilder;
+use sml_tests::random_plant;
+use synth_core::explore::Limits;
+use synth_core::plant::remember::{Indistinguishable, Remembered, remember};
+use synth_core::plant::{ClosedLoop, EventId, Plant, supervise};
+
+/// Bits after an event, the way a controller changes them: by itself, or by what it sees next.
+fn follow(plant: &Plant, closed: &ClosedLoop, bits: &Remembered, entry: usize, edge: (EventId, u32)) -> u32 {
+    let sight = |entry: usize| -> Vec<u16> {
+        bits.components.iter().map(|&c| closed.entry(entry)[c as usize]).collect()
+    };
+    let old = bits.codes[entry];
+    let (event, target) = edge;
+    let caused = if plant.events[event as usize].controllable {
+        let before = sight(entry);
+        let mut changes =
+            bits.caused.iter().filter(|(e, c)| *e == event && c.states == before && c.old == old);
+        let change = changes.next();
+        assert!(changes.next().is_none(), "two changes of one event");
+        change.map_or(old, |(_, change)| change.new)
+    } else {
+        old
+    };
+    let after = sight(target as usize);
+    let mut changes = bits.seen.iter().filter(|c| c.states == after && c.old == caused);
+    let change = changes.next();
+    assert!(changes.next().is_none(), "two conclusions");
+    change.map_or(caused, |change| change.new)
+}
+
+/// Follows every edge; then looks whether states of components and bits say what is enabled.
+fn check(plant: &Plant, closed: &ClosedLoop, all: &[Remembered]) {
+    for bits in all {
+        assert_eq!(bits.codes[closed.initial as usize], bits.initial);
+        assert!(bits.codes.iter().all(|&code| code < 1 << bits.bits));
+        for entry in 0..closed.len() {
+            for &edge in closed.edges(entry) {
+                let followed = follow(plant, closed, bits, entry, edge);
+                assert_eq!(followed, bits.codes[edge.1 as usize], "{:?} {edge:?}", closed.entry(entry));
+            }
+        }
+    }
+    let mut enabled = BTreeMap::new();
+    for entry in 0..closed.len() {
+        let states = closed.entry(entry)[..plant.components].to_vec();
+        let codes: Vec<u32> = all.iter().map(|bits| bits.codes[entry]).collect();
+        let events: Vec<EventId> = closed.enabled(plant, entry).collect();
+        let before = enabled.entry((states, codes)).or_insert_with(|| events.clone());
+        assert_eq!(*before, events, "{:?}", closed.entry(entry));
+    }
+}
+
+#[track_caller]
+fn bits(plant: &Plant) -> Vec<(String, u32)> {
+    let closed = supervise(plant, &Limits::default()).expect("there is a feedback");
+    let all = remember(plant, &closed).expect("it can be followed");
+    check(plant, &closed, &all);
+    all.iter().map(|bits| (plant.automata[bits.automaton as usize].name.clone(), bits.bits)).collect()
+}
+
+fn named(all: &[(&str, u32)]) -> Vec<(String, u32)> {
+    all.iter().map(|&(name, bits)| (name.to_owned(), bits)).collect()
+}
+
+fn line(machines: usize, places: usize) -> Plant {
+    let mut builder = PlantBuilder::new();
+    for i in 1..=machines {
+        builder = builder
+            .controllable(&format!("start{i}"))
+            .uncontrollable(&format!("done{i}"))
+            .component(&format!("M{i}"), &format!("I* start{i} W, W done{i} I"));
+    }
+    for i in 1..machines {
+        let next = i + 1;
+        let edges: Vec<String> =
+            (0..places).map(|n| format!("S{n} done{i} S{}, S{} start{next} S{n}", n + 1, n + 1)).collect();
+        builder = builder.constraint(&format!("B{i}"), &edges.join(", ").replacen("S0", "S0*", 1));
+    }
+    builder.build()
+}
+
+/// A place in the buffer counts as taken from the start of the machine that fills it: three codes for two places, where a
+/// count of places and a bit for "was working" would take three bits.
+#[test]
+fn buffers_of_a_line() {
+    assert_eq!(bits(&line(2, 1)), named(&[("B1", 1)]));
+    assert_eq!(bits(&line(2, 2)), named(&[("B1", 2)]));
+    assert_eq!(bits(&line(3, 3)), named(&[("B1", 2), ("B2", 2)]));
+    assert_eq!(bits(&line(4, 2)), named(&[("B1", 2), ("B2", 2), ("B3", 2)]));
+}
+
+/// A constraint whose state is that of a component remembers nothing.
+#[test]
+fn what_components_show_takes_no_bits() {
+    let plant = PlantBuilder::new()
+        .controllable("start stop")
+        .uncontrollable("jam")
+        .component("M", "Off* start On, On stop Off, On jam Jammed, Jammed stop Off")
+        .constraint("Mirror", "Off* start On, On stop Off, On jam On")
+        .build();
+    assert_eq!(bits(&plant), []);
+}
+
+/// Two events of the plant between the same states: which of them it was cannot be seen.
+#[test]
+fn what_cannot_be_seen_is_refused() {
+    let plant = PlantBuilder::new()
+        .controllable("go")
+        .uncontrollable("good bad")
+        .component("M", "Idle go Busy, Busy good Idle, Busy bad Idle")
+        .constraint("Once", "Fine good Fine, Fine bad Broken, Fine go Fine, Broken good Broken")
+        .build();
+    let closed = supervise(&plant, &Limits::default());
+    let Ok(closed) = closed else { panic!("there is a feedback") };
+    let error = remember(&plant, &closed).expect_err("nobody can know");
+    assert_eq!(error, Indistinguishable { automaton: 1, events: [1, 2] });
+}
+
+#[test]
+fn random_plants() {
+    let seeds = std::env::var("SML_SEEDS").ok().and_then(|n| n.parse().ok()).unwrap_or(1_000);
+    let (mut with_bits, mut unseen) = (0, 0);
+    for seed in 0..seeds {
+        let plant = random_plant::plant(seed);
+        let Ok(closed) = supervise(&plant, &Limits::default()) else { continue };
+        match remember(&plant, &closed) {
+            Ok(all) => {
+                check(&plant, &closed, &all);
+                with_bits += usize::from(!all.is_empty());
+            }
+            Err(_) => unseen += 1,
+        }
+    }
+    println!("{with_bits} plants with bits, {unseen} that cannot be followed");
+    assert!(with_bits > 0 && unseen > 0);
+}
