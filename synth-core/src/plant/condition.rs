@@ -24,6 +24,28 @@ impl<A> Condition<A> {
         }
     }
 
+    /// Its value where `holds` knows the value of some atoms: `None` if others decide.
+    pub fn known(&self, holds: &impl Fn(&A) -> Option<bool>) -> Option<bool> {
+        // `decisive` is the value of a part that decides for the whole.
+        let joined = |parts: &[Condition<A>], decisive: bool| {
+            let mut known = Some(!decisive);
+            for part in parts {
+                match part.known(holds) {
+                    Some(value) if value == decisive => return Some(decisive),
+                    Some(_) => {}
+                    None => known = None,
+                }
+            }
+            known
+        };
+        match self {
+            Condition::Atom(atom) => holds(atom),
+            Condition::Not(inner) => inner.known(holds).map(|value| !value),
+            Condition::And(all) => joined(all, false),
+            Condition::Or(any) => joined(any, true),
+        }
+    }
+
     /// Calls `visit` for every atom, in textual order.
     pub fn atoms(&self, visit: &mut impl FnMut(&A)) {
         match self {
@@ -46,5 +68,24 @@ impl<A> Condition<A> {
             Condition::Atom(atom) => Condition::Atom(resolve(atom)?),
             Condition::Not(inner) => Condition::Not(Box::new(inner.resolved(resolve)?)),
         })
+    }
+
+    /// As it is written, with only the parentheses that it needs; `name` is the text of an atom.
+    pub fn text(&self, name: &impl Fn(&A) -> String) -> String {
+        let part = |part: &Condition<A>, loose: bool| match part {
+            Condition::Or(_) => format!("({})", part.text(name)),
+            Condition::And(_) if !loose => format!("({})", part.text(name)),
+            _ => part.text(name),
+        };
+        let joined = |parts: &[Condition<A>], loose, operator| {
+            let parts: Vec<String> = parts.iter().map(|one| part(one, loose)).collect();
+            parts.join(operator)
+        };
+        match self {
+            Condition::Atom(atom) => name(atom),
+            Condition::Not(inner) => format!("!{}", part(inner, false)),
+            Condition::And(parts) => joined(parts, false, " && "),
+            Condition::Or(parts) => joined(parts, true, " || "),
+        }
     }
 }

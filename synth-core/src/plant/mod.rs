@@ -24,8 +24,10 @@ mod model;
 mod moves;
 mod packing;
 mod parse;
+mod print;
 mod product;
 mod program;
+mod readable;
 mod refusal;
 pub mod remember;
 mod resolve;
@@ -42,7 +44,9 @@ pub use model::{
     SignalKind, State, StateRef,
 };
 pub use parse::{RESERVED, parse_text, parse_tokens};
+pub use print::print;
 pub use program::{Coil, Drive, Program, Rung, Use, Variable};
+pub use readable::unreadable;
 pub use refusal::{Reason, Source, Unavoidable};
 pub use resolve::resolve;
 pub use supremal::{SuperviseError, supervise};

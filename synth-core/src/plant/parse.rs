@@ -69,10 +69,10 @@ fn documents(before: Option<&TokenTree>, trees: &[TokenTree]) -> bool {
         Some(TokenTree::Ident(kind)) => ITEMS[..3].iter().any(|word| kind == word),
         _ => false,
     };
-    // Nothing but a name can stand before one of these in the middle of an item.
+    // In the middle of an item these words are names, which no name follows.
     let follows = match trees.get(1) {
         Some(TokenTree::Ident(_)) => true,
-        Some(TokenTree::Group(group)) => group.delimiter() != Delimiter::Brace,
+        Some(TokenTree::Punct(comment)) => comment.as_char() == '#',
         _ => false,
     };
     listed || word == "plant" || follows && ITEMS.iter().chain(&STATES).any(|item| word == item)
@@ -300,7 +300,10 @@ impl Reader {
 
     fn edge(&self, input: ParseStream<'_>) -> Result<Edge> {
         let event = self.name(input, "an event")?;
-        self.punct(input, Token![->], "`->` and the next state")?;
+        self.punct(input, Token![->], "`->` and the next state").map_err(|error| {
+            let dot = input.peek(Token![.]);
+            if dot { Box::new(error.help("write `->` instead of `.`")) } else { error }
+        })?;
         Ok(Edge { event, target: self.name(input, "the next state")? })
     }
 
@@ -309,7 +312,10 @@ impl Reader {
         const STATE: &str = "a state such as `Boom.Left`";
         let name = self.name(input, "the name of the constraint")?;
         self.punct(input, Token![:], "`:` and what the constraint says")?;
-        if self.at(input, "never") && !self.then(input, "only") && !self.then(input, "not") {
+        let ahead = input.fork();
+        let never = self.eat(&ahead, "never");
+        // An event may have that name.
+        if never && !((self.eat(&ahead, "only") || self.eat(&ahead, "not")) && self.at(&ahead, "when")) {
             self.skip(input);
             let condition = self.disjunction(input, STATE)?;
             return Ok(Constraint { doc, name, rule: Rule::Never(condition) });
@@ -361,8 +367,10 @@ impl Reader {
         if input.peek(syn::token::Paren) {
             return Ok(self.parens(input, "`(`", |inside| self.disjunction(inside, what))?.0);
         }
-        if self.at_any(input, &["not", "NOT"]) && self.before_operand(input) {
-            return Err(self.no_connective(input, "not", "write `!` instead"));
+        if let Some(not) = self.word(input).filter(|word| matches!(word.as_str(), "not" | "NOT"))
+            && self.before_operand(input)
+        {
+            return Err(self.no_connective(input, &not, "write `!` instead"));
         }
         if self.at_any(input, &["true", "false"]) {
             let error = self.expected(input, what);

@@ -1,9 +1,9 @@
 //! The corpus round-trips; places are right; every mistake is told; nothing panics.
 
 mod errors;
-mod fuzz;
+pub(crate) mod fuzz;
 mod help;
-mod mutations;
+pub(crate) mod mutations;
 mod trees;
 
 use super::{FileId, Pos, Span, ast, parse_text};

@@ -28,7 +28,7 @@ fn survive(text: &str) {
 }
 
 /// The text cut into words, numbers, spaces and single characters.
-fn pieces(text: &str) -> Vec<String> {
+pub(crate) fn pieces(text: &str) -> Vec<String> {
     let mut pieces: Vec<String> = Vec::new();
     let mut last = None;
     for c in text.chars() {
@@ -93,7 +93,7 @@ const INSERTED: [&str; 40] = [
 ];
 
 #[derive(Clone, Debug)]
-enum Change {
+pub(crate) enum Change {
     Delete(Index),
     Duplicate(Index),
     Swap(Index, Index),
@@ -101,7 +101,7 @@ enum Change {
     Cut(Index),
 }
 
-fn change() -> impl Strategy<Value = Change> {
+pub(crate) fn change() -> impl Strategy<Value = Change> {
     prop_oneof![
         any::<Index>().prop_map(Change::Delete),
         any::<Index>().prop_map(Change::Duplicate),
@@ -111,7 +111,7 @@ fn change() -> impl Strategy<Value = Change> {
     ]
 }
 
-fn apply(pieces: &mut Vec<String>, change: &Change) {
+pub(crate) fn apply(pieces: &mut Vec<String>, change: &Change) {
     let length = pieces.len().max(1);
     if pieces.is_empty() {
         pieces.push(String::new());

@@ -49,7 +49,7 @@ fn tokens(text: &str) -> Vec<std::ops::Range<usize>> {
 
 /// What is done to a token and, with a swap, to the next.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Edit {
+pub(crate) enum Edit {
     Delete,
     Duplicate,
     Swap,
@@ -88,15 +88,28 @@ struct Tally {
     near: usize,
 }
 
-/// Every seventh token of every specification of the corpus is edited. `SML_SHOW=1` prints what is worse than wanted.
+/// Every seventh token of every specification of the corpus is edited.
 #[track_caller]
 fn check(edit: Edit, least_near: usize) {
+    check_texts(&corpus(), read, 7, edit, least_near);
+}
+
+/// Every `step`th token of every text is edited, and the text then read; of those that are refused nearly all must have
+/// few diagnostics, and so many of a hundred one near the edit. `SML_SHOW=1` prints what is worse than wanted.
+#[track_caller]
+pub(crate) fn check_texts(
+    corpus: &[(String, String)],
+    read: fn(&str) -> Result<(), Vec<Diagnostic>>,
+    step: usize,
+    edit: Edit,
+    least_near: usize,
+) {
     let show = std::env::var_os("SML_SHOW").is_some();
     let mut tally = Tally::default();
-    for (path, text) in corpus() {
-        let tokens = tokens(&text);
-        for at in (0..tokens.len()).step_by(7) {
-            let Some(changed) = edited(&text, &tokens, at, edit) else { continue };
+    for (path, text) in corpus {
+        let tokens = tokens(text);
+        for at in (0..tokens.len()).step_by(step) {
+            let Some(changed) = edited(text, &tokens, at, edit) else { continue };
             // A specification without `urgent`, or with another name, is one, too.
             let Err(found) = read(&changed) else { continue };
             assert!(!found.is_empty(), "{path}: refused without a word\n{changed}");
