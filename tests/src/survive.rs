@@ -1,34 +1,37 @@
-//! What must hold of any bytes that are given as a specification: for the fuzz target, and for what it found.
+//! What must hold of any bytes that are given as a specification or a plant: for the fuzz target, and for what it found.
 
 use proc_macro2::TokenStream;
 use synth_core::diagnostic::{Diagnostic, compile_errors, render, to_json};
 use synth_core::explore::Limits;
 use synth_core::pipeline::{Failure, Options, Timings, play_and_solve, specification, synthesize};
+use synth_core::plant;
 use synth_core::syntax::ast::File;
 use synth_core::syntax::{FileId, Loaded, Pos, Sources, Span, load, parse_text, parse_tokens, print};
 
-/// Reads, resolves, plays a little, synthesizes, and shows every diagnostic in every format.
+/// Reads, resolves, plays a little, synthesizes, and shows every diagnostic in every format; reads and resolves the same
+/// bytes as a plant.
 ///
 /// # Panics
 /// When something panics, a place lies outside the text, a text is refused without a diagnostic or accepted with one,
 /// a tree changes by being printed and read, or a controller does not pass verification.
 pub fn check(bytes: &[u8]) {
     let loaded = load("x.sml", bytes, &mut |_| Err("there are no other files".to_owned()));
-    check_diagnostics(&loaded.diagnostics, &loaded);
+    check_diagnostics(&loaded.diagnostics, &loaded.sources);
     if let Ok(text) = std::str::from_utf8(bytes) {
         check_tree(text);
         check_tokens(text);
+        check_plant(text);
     }
     match specification(&loaded) {
         Ok(spec) => {
             if let Err(failure) = play(&spec) {
-                check_diagnostics(&failure.diagnostics(), &loaded);
+                check_diagnostics(&failure.diagnostics(), &loaded.sources);
             }
         }
         Err(failure) => {
             let found = failure.diagnostics();
             assert!(!found.is_empty(), "refused without a word");
-            check_diagnostics(&found, &loaded);
+            check_diagnostics(&found, &loaded.sources);
         }
     }
 }
@@ -69,6 +72,27 @@ pub fn shape(file: &File) -> String {
     shape
 }
 
+/// The same bytes as a plant.
+fn check_plant(text: &str) {
+    let found = match plant::read(text, FileId(0)) {
+        Ok((plant, warnings)) => [warnings, plant::unreadable(&plant)].concat(),
+        Err(errors) => {
+            assert!(!errors.is_empty(), "refused without a word");
+            errors
+        }
+    };
+    let mut sources = Sources::new();
+    sources.add("x.plant", text);
+    check_diagnostics(&found, &sources);
+    let (Some(tree), errors) = plant::parse_text(text, FileId(0)) else { return };
+    if errors.is_empty() {
+        let printed = plant::print(&tree);
+        let (again, errors) = plant::parse_text(&printed, FileId(0));
+        assert_eq!(errors, [], "what was printed cannot be read:\n{printed}");
+        assert_eq!(again.map(|tree| plant::print(&tree)), Some(printed));
+    }
+}
+
 /// The way of a macro, whose tokens come from Rust's lexer.
 fn check_tokens(text: &str) {
     let Ok(tokens) = text.parse::<TokenStream>() else { return };
@@ -78,8 +102,7 @@ fn check_tokens(text: &str) {
     assert_eq!(shown.is_empty(), errors.is_empty());
 }
 
-fn check_diagnostics(diagnostics: &[Diagnostic], loaded: &Loaded) {
-    let sources = &loaded.sources;
+fn check_diagnostics(diagnostics: &[Diagnostic], sources: &Sources) {
     for diagnostic in diagnostics {
         assert!(!diagnostic.message.is_empty());
         check_place(diagnostic.span, sources, diagnostic);

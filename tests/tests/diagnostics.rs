@@ -3,8 +3,10 @@
 use sml_tests::fast;
 use std::fmt::Write as _;
 use std::path::Path;
-use synth_core::diagnostic::Code;
+use synth_core::diagnostic::{Code, Severity};
 use synth_core::pipeline::{Failure, Options, Timings, compile};
+use synth_core::plant;
+use synth_core::syntax::FileId;
 
 /// What the examples speak of, those of section 1 to 19 aside, which only have to be read.
 const WORLD: &str = "
@@ -99,6 +101,40 @@ fn examples_are_wrong_and_right() {
     let about_specifications =
         Code::ALL.iter().filter(|&&code| (code as u16) < 70 && !WITHOUT_EXAMPLES.contains(&code)).count();
     assert!(checked >= about_specifications, "{checked} of {about_specifications} have examples");
+}
+
+/// Where an example about plants can stand.
+const PLANTS: [&str; 3] = [
+    "plant X { output Motor input Closed automaton Base { initial state Only } HERE }",
+    "plant X { output Motor input Closed uncontrollable open uncontrollable shut uncontrollable run uncontrollable stop HERE }",
+    "plant X { controllable run automaton Door { initial state Shut { run -> Shut } } HERE }",
+];
+
+/// The codes of all that is said about a plant, and whether it can be used: `read` from inputs and outputs, too.
+fn plant_codes(text: &str, read: bool) -> (Vec<Code>, bool) {
+    let diagnostics = match plant::read(text, FileId(0)) {
+        Err(errors) => errors,
+        Ok((plant, warnings)) if read => [warnings, plant::unreadable(&plant)].concat(),
+        Ok((_, warnings)) => warnings,
+    };
+    let good = diagnostics.iter().all(|d| d.severity == Severity::Warning);
+    (diagnostics.iter().map(|d| d.code).collect(), good)
+}
+
+#[test]
+fn examples_about_plants_are_wrong_and_right() {
+    for &code in Code::ALL.iter().filter(|&&code| (120..=139).contains(&(code as u16))) {
+        let pair = (example(code, "Wrong:"), example(code, "Right:"));
+        let (Some(wrong), Some(right)) = pair else { panic!("{code} has no examples") };
+        let tried = PLANTS.map(|context| {
+            let of = |text: &str| plant_codes(&context.replace("HERE", text), code >= Code::NoFormula);
+            (of(&wrong), of(&right))
+        });
+        let fits = tried
+            .iter()
+            .any(|((wrong, _), (right, good))| wrong.contains(&code) && !right.contains(&code) && *good);
+        assert!(fits, "{code}: {wrong}\n{right}\n{tried:?}");
+    }
 }
 
 /// The page, from the table.

@@ -29,7 +29,7 @@ fn what_was_found() {
 fn the_seeds() {
     let seeds = inputs("corpus/reader");
     let corpus = corpus::all().into_iter().map(|entry| (entry.name, entry.text.into_bytes()));
-    for (name, bytes) in seeds.into_iter().chain(corpus) {
+    for (name, bytes) in seeds.into_iter().chain(corpus).chain(inputs("../tests/plants")) {
         println!("{name}");
         survive::check(&bytes);
     }
@@ -39,10 +39,11 @@ fn the_seeds() {
 #[test]
 fn damaged_specifications() {
     let seeds: u64 = std::env::var("SML_SEEDS").ok().and_then(|seeds| seeds.parse().ok()).unwrap_or(4);
-    for entry in corpus::all() {
+    let corpus = corpus::all().into_iter().map(|entry| (entry.name, entry.text.into_bytes()));
+    for (name, text) in corpus.chain(inputs("../tests/plants")) {
         for seed in 0..seeds {
             let mut random = Random::new(seed);
-            let mut bytes = entry.text.clone().into_bytes();
+            let mut bytes = text.clone();
             for _ in 0..1 + random.below(6) {
                 let at = random.below(bytes.len());
                 match random.below(4) {
@@ -56,7 +57,7 @@ fn damaged_specifications() {
                     }
                 }
             }
-            println!("{} {seed}", entry.name);
+            println!("{name} {seed}");
             survive::check(&bytes);
         }
     }

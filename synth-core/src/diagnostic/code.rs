@@ -96,7 +96,8 @@ codes! {
          Wrong:  var EInt floor\n\
          Right:  var 1..=3 floor\n";
     Empty = 10, "no specification in the text",
-        "A file holds imports and then exactly one specification; this one holds nothing but space and comments.\n\n\
+        "A file holds imports and then exactly one specification, or exactly one plant; this one holds nothing but space\n\
+         and comments.\n\n\
          Right:  specification Name { … }\n";
     TooDeep = 11, "nesting too deep",
         "Braces, brackets, parentheses and expressions nest up to a fixed depth that no specification written by hand\n\
@@ -117,13 +118,15 @@ codes! {
         "Every class, enum, object, role, attribute, operation, variable and literal must be declared before it means\n\
          anything. The help names the declared one that is spelled most alike. A message's operation is looked up in\n\
          the class of its receiver and the classes that it inherits from; `setX` exists for every attribute `x`. A\n\
-         name that is unknown in several places is told once, with the other places as labels.\n\n\
+         name that is unknown in several places is told once, with the other places as labels. In a plant the same holds for\n\
+         inputs, outputs, events, automata and their states.\n\n\
          Wrong:  urgent controller -> lmap.on()\n\
          Right:  urgent controller -> lamp.on()\n";
     DuplicateName = 21, "a name that is declared twice",
         "Classes, enums and objects share one name space; a dynamic role may not be named like an object; attributes\n\
          and operations must be unique in their class and what it inherits from, `setX` for an attribute `x`\n\
-         included. The error is at the second declaration and also points at the first.\n\n\
+         included. In a plant signals, events, and automata with constraints are three name spaces, and the states of each\n\
+         automaton are one. The error is at the second declaration and also points at the first.\n\n\
          Wrong:  object lamp: Lamp\n\
          Right:  object lamp2: Lamp\n";
     TypeMismatch = 22, "a value of the wrong type",
@@ -283,7 +286,8 @@ codes! {
         "A class, enum, object, role, attribute, operation, variable, effect, or an entry about an event, without which the\n\
          specification would mean the same. Often a name was mistyped elsewhere or a scenario forgotten. Attributes and\n\
          variables that are written but never read make states different that need not be. Declarations of imported files\n\
-         are not reported, for another specification may use them.\n\n\
+         are not reported, for another specification may use them. In a plant it is a signal that no formula and no command\n\
+         names, or an event that no automaton names.\n\n\
          Wrong:  var 1..=3 floor  user -> ctl.call(bind floor)  urgent ctl -> lift.go()\n\
          Right:  user -> ctl.call(*)  urgent ctl -> lift.go()\n";
     NeverCaused = 98, "an event that waits for a cause and has none",

@@ -67,12 +67,14 @@ pub struct Warning(Code);
 impl Warning {
     /// All of them, in order.
     pub fn all() -> impl Iterator<Item = Warning> {
-        Code::ALL.iter().copied().filter(|&code| (90..100).contains(&(code as u16))).map(Warning)
+        let is_warning = |code: Code| matches!(code as u16, 90..=99 | 130..=132) || code == Code::CaseOnly;
+        Code::ALL.iter().copied().filter(move |&code| is_warning(code)).map(Warning)
     }
 
     /// Whether the text alone shows it.
     fn is_of_text(self) -> bool {
-        matches!(self.0, Code::SystemOnlyWait | Code::Unused | Code::NeverCaused)
+        let of_plants = self.0 as u16 >= 120;
+        of_plants || matches!(self.0, Code::SystemOnlyWait | Code::Unused | Code::NeverCaused)
     }
 }
 
@@ -125,17 +127,18 @@ mod tests {
     #[test]
     fn what_a_policy_has_to_see() {
         assert!(!Policy::default().deny(warning("SML0097")).denies_plays());
+        assert!(!Policy::default().deny(warning("SML0131")).denies_plays());
         assert!(Policy::default().deny(warning("SML0092")).denies_plays());
         assert!(Policy::default().deny_all().denies_plays());
     }
 
     #[test]
     fn only_warnings() {
-        assert_eq!(Warning::all().count(), 10);
+        assert_eq!(Warning::all().count(), 14);
         assert_eq!(warning("97"), warning("sml0097"));
         for wrong in ["SML0070", "SML0100", "9", ""] {
             let error = wrong.parse::<Warning>().expect_err("no warning");
-            assert!(error.ends_with("SML0097, SML0098, SML0099"), "{error}");
+            assert!(error.ends_with("SML0098, SML0099, SML0127, SML0130, SML0131, SML0132"), "{error}");
         }
     }
 }

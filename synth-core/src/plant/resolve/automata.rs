@@ -77,7 +77,7 @@ impl<'a> Resolver<'a> {
         }
         if let Some(state) = tree.states.get(MAX_STATES) {
             let message = format!("the automaton `{}` has more than {MAX_STATES} states", name.text);
-            let error = Diagnostic::error(Code::TooLarge, state.name.span, message);
+            let error = Diagnostic::error(Code::AutomatonTooLarge, state.name.span, message);
             self.error(error.help("split it into several automata"));
         }
         let mut initial =

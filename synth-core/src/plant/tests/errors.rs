@@ -317,5 +317,5 @@ fn too_many_states() {
         found
     };
     assert_eq!(errors(1 << 16), []);
-    assert_eq!(errors((1 << 16) + 1)[0].code, Code::TooLarge);
+    assert_eq!(errors((1 << 16) + 1)[0].code, Code::AutomatonTooLarge);
 }
