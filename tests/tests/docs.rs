@@ -1,4 +1,4 @@
-//! The documentation keeps its word: every `sml` block of `docs/*.md` and `README.md` is what its info string says.
+//! The documentation keeps its word: every `sml` and `plant` block of `docs/*.md` and `README.md` is what its info string says.
 //!
 //! | Info string | The block |
 //! |---|---|
@@ -7,17 +7,22 @@
 //! | `sml,error,SML0029` | is refused with exactly these codes, in this order |
 //! | `sml,fragment` | can be read as sections, scenarios or the body of one |
 //!
+//! | `plant` | is a plant without warnings, whose states can be read |
+//! | `plant,fragment` | can be read as items of a plant |
+//!
 //! `classic=realizable` or `classic=unrealizable` behind any of the first two adds the verdict of classic semantics.
 
 use sml_tests::{corpus, fast};
 use std::path::{Path, PathBuf};
 use synth_core::pipeline::{Failure, Options, Timings, compile};
+use synth_core::plant;
 use synth_core::playout::Semantics;
-use synth_core::syntax::RESERVED;
+use synth_core::syntax::{FileId, RESERVED};
 
-/// A fenced block: its text, where it begins, and what follows `sml` in the info string.
+/// A fenced block: its text, where it begins, the language, and what follows it in the info string.
 struct Block {
     place: String,
+    language: String,
     claims: Vec<String>,
     text: String,
 }
@@ -30,8 +35,9 @@ fn blocks(name: &str, page: &str) -> Vec<Block> {
         let body = lines.by_ref().map(|(_, line)| line).take_while(|line| line.trim_start() != "```");
         let text: String = body.flat_map(|line| [line, "\n"]).collect();
         let mut words = info.split(',').map(|word| word.trim().to_owned());
-        if words.next().as_deref() == Some("sml") {
-            blocks.push(Block { place: format!("{name}:{number}"), claims: words.collect(), text });
+        let language = words.next().unwrap_or_default();
+        if matches!(language.as_str(), "sml" | "plant") {
+            blocks.push(Block { place: format!("{name}:{number}"), language, claims: words.collect(), text });
         }
     }
     blocks
@@ -63,8 +69,29 @@ fn can_be_read(text: &str) -> bool {
     wrapped.iter().any(|text| corpus::parse(text).is_ok())
 }
 
+/// Why the block about a plant breaks its word.
+fn broken_plant(block: &Block) -> Option<String> {
+    let claims: Vec<&str> = block.claims.iter().map(String::as_str).collect();
+    let (text, whole) = match claims.as_slice() {
+        [] => (block.text.clone(), true),
+        ["fragment"] => (format!("plant X {{ {} }}", block.text), false),
+        _ => return Some(format!("unknown claims {claims:?}")),
+    };
+    let found = if whole {
+        plant::read(&text, FileId(0))
+            .map_or_else(|errors| errors, |(plant, odd)| [odd, plant::unreadable(&plant)].concat())
+    } else {
+        plant::parse_text(&text, FileId(0)).1
+    };
+    let codes: Vec<String> = found.iter().map(|d| format!("{} {}", d.code, d.message)).collect();
+    (!codes.is_empty()).then(|| codes.join(", "))
+}
+
 /// Why the block breaks its word.
 fn broken(block: &Block) -> Option<String> {
+    if block.language == "plant" {
+        return broken_plant(block);
+    }
     let claims: Vec<&str> = block.claims.iter().map(String::as_str).collect();
     let (expected, classic) = match claims.as_slice() {
         ["fragment"] if can_be_read(&block.text) => return None,
@@ -192,4 +219,14 @@ fn false_claims_are_found() {
     check("sml", "specification L { }", Some("SML0026 instead of realizable"));
     check("sml,fragment", "urgent c -> l.on()", Some(""));
     check("sml,fragment", "urgent c l.on()", Some("no fragment of a specification"));
+    check("plant", "plant X { automaton A { initial state B } }", Some(""));
+    check("plant", "plant X { }", Some("SML0126 the plant `X` has no component"));
+    check(
+        "plant",
+        "plant X { input C automaton A { initial state B } }",
+        Some("SML0097 nothing uses the input `C`"),
+    );
+    check("plant,fragment", "input A", Some(""));
+    check("plant,fragment", "input", Some("SML0004 expected the name of an input, found `}`"));
+    check("plant,error", "", Some("unknown claims [\"error\"]"));
 }
