@@ -7,13 +7,14 @@
 //! | `sml,error,SML0029` | is refused with exactly these codes, in this order |
 //! | `sml,fragment` | can be read as sections, scenarios or the body of one |
 //!
-//! | `plant` | is a plant without warnings, whose states can be read |
+//! | `plant` | is a plant without warnings, whose states can be read and whose constraints can be kept |
 //! | `plant,fragment` | can be read as items of a plant |
 //!
 //! `classic=realizable` or `classic=unrealizable` behind any of the first two adds the verdict of classic semantics.
 
 use sml_tests::{corpus, fast};
 use std::path::{Path, PathBuf};
+use synth_core::explore::Limits;
 use synth_core::pipeline::{Failure, Options, Timings, compile};
 use synth_core::plant;
 use synth_core::playout::Semantics;
@@ -78,8 +79,13 @@ fn broken_plant(block: &Block) -> Option<String> {
         _ => return Some(format!("unknown claims {claims:?}")),
     };
     let found = if whole {
-        plant::read(&text, FileId(0))
-            .map_or_else(|errors| errors, |(plant, odd)| [odd, plant::unreadable(&plant)].concat())
+        match plant::read(&text, FileId(0)) {
+            Err(errors) => errors,
+            Ok((plant, _)) if plant::supervise(&plant, &Limits::default()).is_err() => {
+                return Some("no feedback keeps the constraints".to_owned());
+            }
+            Ok((plant, odd)) => [odd, plant::unreadable(&plant)].concat(),
+        }
     } else {
         plant::parse_text(&text, FileId(0)).1
     };
@@ -226,6 +232,8 @@ fn false_claims_are_found() {
         "plant X { input C automaton A { initial state B } }",
         Some("SML0097 nothing uses the input `C`"),
     );
+    let refused = "plant X { automaton A { initial state B } constraint C: never A.B }";
+    check("plant", refused, Some("no feedback keeps the constraints"));
     check("plant,fragment", "input A", Some(""));
     check("plant,fragment", "input", Some("SML0004 expected the name of an input, found `}`"));
     check("plant,error", "", Some("unknown claims [\"error\"]"));

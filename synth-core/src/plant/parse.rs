@@ -208,8 +208,11 @@ impl Reader {
 
     /// `ID ({ ((set | reset) ID)* })?`.
     fn plant_event(&self, input: ParseStream<'_>, doc: Vec<String>, controllable: bool) -> Result<Event> {
-        self.eat(input, "event");
         let name = self.name(input, "the name of the event")?;
+        if name.text == "event" && self.word(input).is_some_and(|word| !self.is_reserved(&word)) {
+            let error = Diagnostic::error(Code::Syntax, name.span, "`event` is no part of a declaration");
+            return Err(Box::new(error.help("remove it")));
+        }
         let mut commands = Vec::new();
         if input.peek(syn::token::Brace) {
             let starts = |input: ParseStream<'_>| self.at_any(input, &["set", "reset"]);

@@ -17,6 +17,7 @@ fn misspelt_words() {
     check("inputs A\n~~~~~~ write `input`");
     check("controlable a\n~~~~~~~~~~~ write `controllable`");
     check("event a\n~~~~~ write `controllable` or `uncontrollable`");
+    check("controllable event a\n             ~~~~~ remove it");
     check("state A\n~~~~~ put states into `automaton Name { … }`");
     check("automaton A { intial state B }\n              ~~~~~~ write `initial`");
     check(

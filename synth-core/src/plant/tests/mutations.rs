@@ -13,7 +13,7 @@ fn read(text: &str) -> Result<(), Vec<Diagnostic>> {
 /// Where a name or a brace is missing or too much, that shows at the next item, often behind an empty line.
 #[track_caller]
 fn check(edit: Edit, least_near: usize) {
-    check_texts(&corpus(), read, 3, edit, least_near);
+    check_texts(&corpus(), read, 2, edit, least_near);
 }
 
 #[test]
