@@ -23,19 +23,22 @@ pub fn plant(seed: u64) -> Plant {
         .chain((0..uncontrollable).map(|event| format!("u{event}")))
         .collect();
     for component in 0..1 + random.below(3) {
-        builder = builder.component(&format!("P{component}"), &automaton(random, &events, 4));
-        if random.below(4) == 0 {
+        let named = some(random, &events);
+        builder = builder.component(&format!("P{component}"), &automaton(random, &named, 4));
+        if random.below(8) == 0 {
             builder = builder.naming(&events[random.below(events.len() as u32) as usize]);
         }
     }
     for constraint in 0..random.below(3) {
-        // Constraints that name few events leave more to do.
-        let named: Vec<String> = events.iter().filter(|_| random.below(2) == 0).cloned().collect();
-        if !named.is_empty() {
-            builder = builder.constraint(&format!("C{constraint}"), &automaton(random, &named, 3));
-        }
+        let named = some(random, &events);
+        builder = builder.constraint(&format!("C{constraint}"), &automaton(random, &named, 3));
     }
     conditions(random, builder)
+}
+
+/// About half of the events: what automata share can stop them, so that little is left if they share all.
+fn some(random: &mut Random, events: &[String]) -> Vec<String> {
+    events.iter().filter(|_| random.below(2) == 0).cloned().collect()
 }
 
 /// The edges of an automaton; sometimes some states are marked.
@@ -49,7 +52,7 @@ fn automaton(random: &mut Random, events: &[String], most: u32) -> String {
     }
     for source in 0..states {
         for event in events {
-            if random.below(5) < 2 {
+            if random.below(2) == 0 {
                 let _ = write!(text, ", s{source} {event} s{}", random.below(states));
             }
         }
