@@ -109,7 +109,6 @@ fn feedback_is_that_of_the_definition() {
             }
         }
     }
-    println!("{some} {none} {inhibited}");
     assert!(none > count / 8 && some > count / 8 && inhibited > count / 8, "{some} {none} {inhibited}");
 }
 
@@ -151,7 +150,6 @@ fn feedback_is_maximally_permissive() {
             }
         }
     }
-    println!("{forbidden} {bad} {blocked}");
     assert!(forbidden > 0 && bad > 0 && blocked > 0, "{forbidden} {bad} {blocked}");
 }
 
