@@ -2,8 +2,10 @@
 
 use sml_tests::plant_builder::{PlantBuilder, event};
 use sml_tests::plant_families::{philosophers, transfer_line};
+use synth_core::diagnostic::Code;
 use synth_core::explore::Limits;
 use synth_core::plant::{ClosedLoop, Plant, Reason, SuperviseError, Unavoidable, Why, supervise, why};
+use synth_core::syntax::FileId;
 
 #[track_caller]
 fn feedback(plant: &Plant) -> ClosedLoop {
@@ -41,27 +43,17 @@ fn rows(plant: &Plant, closed: &ClosedLoop, with: &str) -> Vec<String> {
         .collect()
 }
 
-/// Festo's distribution station (Côté, St-Denis, Kerjean, ETFA 2005, section 5), without what keeps the boom away from the
-/// injector while it moves to the dock.
-fn station() -> PlantBuilder {
-    PlantBuilder::new()
-        .controllable("inject reset right left grab rls")
-        .uncontrollable("injected retracted emptied filled arrivedTesting arrivedDock grabbed released")
-        .component("Injector", "I2B inject IMD, IMD injected I2D, I2D reset IMB, IMB retracted I2B")
-        .component("Barrel", "BE filled BF, BF emptied BE")
-        .component("Boom", "B2D right BMT, BMT arrivedTesting B2T, B2T left BMD, BMD arrivedDock B2D")
-        .component("Hook", "HF grab HG, HG grabbed HH, HH rls HR, HR released HF")
-        .only("inject", "Barrel.BF && Boom.B2T")
-        .only("reset", "Hook.HH && Boom.B2D")
-        .only("right", "(Injector.IMB || Injector.I2B && Barrel.BF) && !Hook.HG && !Hook.HR")
-        .only("left", "Hook.HF && (Injector.I2D || Barrel.BE)")
-        .only("grab", "Boom.B2D && Injector.I2D")
-        .only("rls", "Boom.B2T")
+/// Festo's distribution station (Côté, St-Denis, Kerjean, ETFA 2005, section 5).
+const STATION: &str = include_str!("../plants/distribution_station.plant");
+
+#[track_caller]
+fn read(text: &str) -> Plant {
+    synth_core::plant::read(text, FileId(0)).expect("a plant").0
 }
 
 #[test]
 fn the_distribution_station_is_that_of_the_publication() {
-    let plant = station().only("left", "!Injector.IMD").build();
+    let plant = read(STATION);
     let closed = feedback(&plant);
     assert_eq!((closed.plant, closed.len()), (Some((128, 512)), 52));
     // The fourteen rows of Table 1, in order of the file.
@@ -86,8 +78,11 @@ fn the_distribution_station_is_that_of_the_publication() {
 
 #[test]
 fn what_must_never_be_is_kept_by_inhibiting_what_leads_there() {
-    let kept = station().only("left", "!Injector.IMD").build();
-    let plant = station().never("Clear", "Injector.IMD && !Boom.B2T").build();
+    let kept = read(STATION);
+    let free = STATION.replace(" && !Injector.IMD", "");
+    assert!(free.len() < STATION.len());
+    let end = free.rfind('}').expect("a brace");
+    let plant = read(&format!("{} constraint Clear: never Injector.IMD && !Boom.B2T }}", &free[..end]));
     let (kept, closed) = (feedback(&kept), feedback(&plant));
     assert_eq!(closed.len(), 52);
     let of = |closed: &ClosedLoop| (closed.states.clone(), closed.edges.clone(), closed.inhibited.clone());
@@ -274,4 +269,22 @@ fn constraints_cut_products_on_the_way() {
     let one: Vec<String> = pumps.map(|i| format!("None on{i} Some, Some off{i} None")).collect();
     let closed = feedback(&builder.constraint("One", &one.join(", ")).build());
     assert_eq!((closed.plant, closed.len()), (None, 101));
+}
+
+/// The text behind `label` in an explanation, with the lines that continue it.
+fn example(code: Code, label: &str) -> String {
+    let mut lines = code.explanation().lines().skip_while(|line| !line.starts_with(label));
+    let first = lines.next().and_then(|line| line.strip_prefix(label)).expect("an example");
+    let more: Vec<&str> = lines.take_while(|line| line.starts_with(' ')).collect();
+    format!("{first}\n{}", more.join("\n"))
+}
+
+#[test]
+fn the_example_of_the_diagnostic_is_wrong_and_right() {
+    let wrong = read(&example(Code::NoFeedback, "Wrong:"));
+    let diagnostic = refusal(&wrong).diagnostic(&wrong);
+    assert_eq!(diagnostic.code, Code::NoFeedback);
+    // The name of the constraint.
+    assert_eq!((diagnostic.span.start.line, diagnostic.span.start.column), (1, 43));
+    feedback(&read(&example(Code::NoFeedback, "Right:")));
 }
