@@ -4,7 +4,9 @@ use sml_tests::plant_builder::{PlantBuilder, event};
 use sml_tests::plant_families::{philosophers, transfer_line};
 use synth_core::diagnostic::Code;
 use synth_core::explore::Limits;
-use synth_core::plant::{ClosedLoop, Plant, Reason, SuperviseError, Unavoidable, Why, supervise, why};
+use synth_core::plant::{
+    ClosedLoop, Plant, Realization, Reason, SuperviseError, Unavoidable, Why, supervise, why, write_json,
+};
 use synth_core::syntax::FileId;
 
 #[track_caller]
@@ -271,6 +273,64 @@ fn constraints_cut_products_on_the_way() {
     assert_eq!((closed.plant, closed.len()), (None, 101));
 }
 
+fn json(plant: &Plant, closed: &ClosedLoop) -> serde_json::Value {
+    let realization = Realization {
+        formulas: vec![("right".to_owned(), "X2 && !X3".to_owned())],
+        instructions: 116,
+        stack_depth: 2,
+        rungs: 6,
+    };
+    let mut text = Vec::new();
+    write_json(plant, closed, &realization, &mut text).expect("written");
+    serde_json::from_slice(&text).expect("JSON")
+}
+
+#[test]
+fn json_has_figures_feedback_and_formulas() {
+    let plant = read(STATION);
+    let found = json(&plant, &feedback(&plant));
+    for (member, value) in [
+        ("version", 1),
+        ("plant_states", 128),
+        ("plant_transitions", 512),
+        ("entries", 52),
+        ("instructions", 116),
+        ("stack_depth", 2),
+        ("rungs", 6),
+    ] {
+        assert_eq!(found[member], value, "{member}");
+    }
+    assert_eq!(found["feedback"].as_array().map(Vec::len), Some(52));
+    let first = serde_json::json!({
+        "state": {"Injector": "I2B", "Barrel": "BE", "Boom": "B2D", "Hook": "HF"},
+        "inhibited": ["inject", "right", "grab"],
+        "enabled": [],
+    });
+    assert_eq!(found["feedback"][0], first);
+    assert_eq!(found["formulas"], serde_json::json!({"right": "X2 && !X3"}));
+}
+
+#[test]
+fn states_name_constraint_automata_that_carry_memory() {
+    let line = transfer_line(2);
+    let closed = feedback(&line);
+    let last = serde_json::json!({"Machine1": "W", "Machine2": "W", "Buffer1": "1"});
+    assert_eq!(json(&line, &closed)["feedback"][9]["state"], last);
+    assert_eq!(closed.table(&line).lines().nth(1), Some("I         I         0        start2     start1"));
+    assert_eq!(
+        closed.figures(),
+        "plant: 4 states, 8 transitions\nconstrained: 12 states, 18 transitions\nfeedback: 10 entries\n"
+    );
+    // What follows a component remembers nothing.
+    let plant = PlantBuilder::new()
+        .controllable("on off")
+        .component("Lamp", "Dark on Lit, Lit off Dark")
+        .constraint("Same", "A on B, B off A")
+        .build();
+    let closed = feedback(&plant);
+    assert_eq!(json(&plant, &closed)["feedback"][1]["state"], serde_json::json!({"Lamp": "Lit"}));
+}
+
 /// The text behind `label` in an explanation, with the lines that continue it.
 fn example(code: Code, label: &str) -> String {
     let mut lines = code.explanation().lines().skip_while(|line| !line.starts_with(label));
@@ -285,6 +345,6 @@ fn the_example_of_the_diagnostic_is_wrong_and_right() {
     let diagnostic = refusal(&wrong).diagnostic(&wrong);
     assert_eq!(diagnostic.code, Code::NoFeedback);
     // The name of the constraint.
-    assert_eq!((diagnostic.span.start.line, diagnostic.span.start.column), (1, 43));
+    assert_eq!((diagnostic.span.start.line, diagnostic.span.start.column), (1, 45));
     feedback(&read(&example(Code::NoFeedback, "Right:")));
 }
