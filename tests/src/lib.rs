@@ -6,6 +6,7 @@ pub mod corpus;
 pub mod fast;
 pub mod naive;
 pub mod plant_builder;
+pub mod plant_families;
 pub mod plant_naive;
 pub mod published;
 pub mod random;

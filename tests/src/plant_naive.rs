@@ -67,8 +67,8 @@ fn both(plant: &Plant, tuple: &[u32], event: EventId) -> Option<Tuple> {
             return None;
         }
     }
-    for automaton in plant.components..plant.automata.len() {
-        next.push(step(plant, automaton, tuple[automaton], event)?);
+    for (automaton, &state) in tuple.iter().enumerate().skip(plant.components) {
+        next.push(step(plant, automaton, state, event)?);
     }
     Some(next)
 }

@@ -434,9 +434,11 @@ codes! {
          holds, or something forbids an uncontrollable event that the components allow), or no such way is left. The play\n\
          shows how: its last events happen by themselves, and nobody can prevent them.\n\n\
          Weaken the constraint, mark more states, or make an event of the play controllable: often an actuator can\n\
-         be stopped where a constraint wants it.\n\n\
-         Wrong:  uncontrollable fall  …  constraint Dry: never Tank.Over\n\
-         Right:  controllable open { set Y0 }  …  constraint Dry: never Tank.Over\n";
+         stop what a constraint does not want.\n\n\
+         Wrong:  plant P { uncontrollable rise  constraint Dry: never Tank.Over\n        \
+         automaton Tank { initial state Low { rise -> Over } state Over } }\n\
+         Right:  plant P { controllable rise  constraint Dry: never Tank.Over\n        \
+         automaton Tank { initial state Low { rise -> Over } state Over } }\n";
     AutomatonTooLarge = 141, "an automaton with more states than can be numbered",
         "States of one automaton are numbered by 16 bits, so there can be 65,536. A component of that size is rarely one\n\
          component: write its parts as automata of their own, with the events in which they act together in each of them.\n";
