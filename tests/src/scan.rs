@@ -274,9 +274,23 @@ fn expr(random: &mut Random, known: Var, depth: u32, and: bool) -> Expr {
     if known == 0 {
         return Expr::Constant(true);
     }
+    let literal = |random: &mut Random| {
+        Expr::Literal(Literal { variable: random.below(known), negated: random.below(2) == 1 })
+    };
     if depth == 0 || random.below(4) == 0 {
-        return Expr::Literal(Literal { variable: random.below(known), negated: random.below(2) == 1 });
+        return literal(random);
     }
-    let terms = (0..2 + random.below(3)).map(|_| expr(random, known, depth - 1, !and)).collect();
-    if and { Expr::And(terms) } else { Expr::Or(terms) }
+    let mut terms: Vec<Expr> = Vec::new();
+    for _ in 0..2 + random.below(3) {
+        let term = expr(random, known, depth - 1, !and);
+        // Synthesis says nothing twice, and linters would object.
+        if !terms.contains(&term) {
+            terms.push(term);
+        }
+    }
+    match terms.len() {
+        1 => literal(random),
+        _ if and => Expr::And(terms),
+        _ => Expr::Or(terms),
+    }
 }

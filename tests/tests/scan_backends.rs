@@ -10,7 +10,7 @@ mod scan_backends {
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use scan_backends::{diagram, ladder, list};
+use self::scan_backends::{diagram, ladder, list};
 use sml_tests::scan::{self, Plan, Size, State, is_external, is_kept};
 use sml_tests::scratch::Scratch;
 use sml_tests::tables::Random;
@@ -173,5 +173,107 @@ fn structured_text() {
                 plan.variables(is_kept).map(|v| block.bool(&variables[v]).expect("a variable")).collect()
             });
         }
+    }
+}
+
+/// A function that does a scan with values in the order of inputs, analogue inputs, outputs and memory, and writes kept
+/// variables and events.
+fn driver(plan: &Plan) -> String {
+    let source = plan.source();
+    let NameMap { program: module, variables, analogues, events, .. } = rust::scan::names(&source);
+    let mut body = String::new();
+    let path = |variable: usize| match plan.program.variables[variable].usage {
+        Use::Input => format!("inputs.{}", variables[variable]),
+        Use::Memory(_) => format!("outputs.memory.{}", variables[variable]),
+        _ => format!("outputs.{}", variables[variable]),
+    };
+    for variable in plan.variables(is_external) {
+        let _ = writeln!(body, "    {} = next() != 0;", path(variable));
+    }
+    for name in &analogues {
+        let _ = writeln!(body, "    inputs.{name} = next().try_into().expect(\"it fits\");");
+    }
+    let kept: String = plan.variables(is_kept).map(|variable| format!("{}, ", path(variable))).collect();
+    let events: String = events.iter().map(|event| format!("Event::{event}, ")).collect();
+    format!(
+        "pub fn {module}(mut next: impl FnMut() -> i64) -> String {{
+    use scans::{module}::{{Event, Inputs, Outputs, scan}};
+    let mut inputs = Inputs::default();
+    let mut outputs = Outputs::default();
+    let initial: Vec<bool> = vec![{kept}];
+{body}    let caused = scan(&inputs, &mut outputs);
+    let kept: Vec<bool> = vec![{kept}];
+    let all: Vec<Event> = vec![{events}];
+    assert_eq!(all, Event::ALL);
+    assert_eq!(caused.iter().collect::<Vec<_>>(), all.iter().copied().filter(|&e| caused.contains(e)).collect::<Vec<_>>());
+    assert_eq!(caused.is_empty(), caused.iter().next().is_none());
+    let events: Vec<&str> = caused.iter().map(Event::name).collect();
+    format!(\"{{initial:?}} {{kept:?}} {{events:?}}\")
+}}
+"
+    )
+}
+
+#[test]
+fn rust_modules() {
+    let plans = plans();
+    let scratch = Scratch::new(env!("CARGO_TARGET_TMPDIR"), "scans", &[], "").expect("the crate is written");
+    let mut library = String::from(
+        "//! Generated modules.\n#![no_std]\n#![forbid(unsafe_code)]\n\
+         #![warn(clippy::all, clippy::pedantic, clippy::nursery)]\n\
+         #![warn(missing_docs, missing_debug_implementations, unreachable_pub, unused, rust_2018_idioms)]\n\n",
+    );
+    let mut private = library.replace("#![no_std]\n", "");
+    let mut main = String::from("//! Runs scans.\n#![allow(unused)]\n\n");
+    let mut arms = String::new();
+    for plan in &plans {
+        let module = rust::scan::names(&plan.source()).program;
+        scratch.write(&format!("src/{module}.rs"), &rust::scan::text(&plan.source())).expect("it is written");
+        let _ = writeln!(library, "include!(\"{module}.rs\");");
+        let _ = writeln!(private, "mod inside_{module} {{\n    include!(\"../{module}.rs\");\n}}");
+        main += &driver(plan);
+        let _ = writeln!(arms, "            {module:?} => {module}(next),");
+    }
+    let _ = write!(
+        main,
+        "\nfn main() {{
+    for line in std::io::stdin().lines() {{
+        let line = line.expect(\"text\");
+        let mut words = line.split(' ');
+        let module = words.next().expect(\"a module\");
+        let next = || words.next().expect(\"a number\").parse::<i64>().expect(\"a number\");
+        println!(\"{{}}\", match module {{\n{arms}            _ => unreachable!(),\n        }});
+    }}
+}}
+"
+    );
+    private += "\nfn main() {}\n";
+    for (path, text) in [("src/lib.rs", library), ("src/bin/private.rs", private), ("src/bin/drive.rs", main)] {
+        scratch.write(path, &text).expect("it is written");
+    }
+    let lints = ["clippy", "--quiet", "--lib", "--bin", "private", "--config", "build.rustflags=['-Dwarnings']"];
+    let clippy = scratch.cargo(&lints, "").expect("cargo runs");
+    assert!(clippy.status.success(), "{}", String::from_utf8_lossy(&clippy.stderr));
+
+    let (mut input, mut expected) = (String::new(), Vec::new());
+    for plan in &plans {
+        let module = rust::scan::names(&plan.source()).program;
+        for before in plan.scans(&mut Random::new(7), 1000) {
+            let bits = plan.variables(is_external).map(|variable| i64::from(before.values[variable]));
+            let numbers: Vec<String> = bits.chain(before.analogues.iter().copied()).map(|n| n.to_string()).collect();
+            let _ = writeln!(input, "{}", [&[module.clone()], numbers.as_slice()].concat().join(" "));
+            let mut after = before.clone();
+            let events = after.scan(&plan.program);
+            let names: Vec<&str> = events.iter().map(|&event| plan.events[event as usize].name.as_str()).collect();
+            let kept = |state: &State| plan.variables(is_kept).map(|v| state.values[v]).collect::<Vec<bool>>();
+            expected.push(format!("{:?} {:?} {names:?}", kept(&plan.initial()), kept(&after)));
+        }
+    }
+    let run = scratch.cargo(&["run", "--quiet", "--bin", "drive"], &input).expect("cargo runs");
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    let printed = String::from_utf8(run.stdout).expect("text");
+    assert_eq!(printed.lines().count(), expected.len());
+    for ((printed, expected), input) in printed.lines().zip(&expected).zip(input.lines()) {
+        assert_eq!(printed, expected, "{input}");
     }
 }

@@ -21,7 +21,7 @@ pub(super) fn items(source: &Source<'_>, idents: &Idents) -> TokenStream {
     let texts: Vec<&str> = named.iter().map(|(_, event, _)| event.name.as_str()).collect();
     let docs = named.iter().map(|(number, event, _)| event_doc(source, *number, event));
     let count = Literal::usize_unsuffixed(named.len());
-    let words = Literal::usize_unsuffixed(named.len().div_ceil(WORD));
+    let words = Literal::usize_unsuffixed(named.len().div_ceil(WORD).max(1));
     // The bit of an event, by its position; none of an enum without variants.
     let (number, name) = if named.is_empty() {
         (quote!(match self {}), quote!(match self {}))

@@ -68,11 +68,11 @@ impl<'a> Block<'a> {
             name: &self.names.function_block,
             declarations,
             body: Box::new(|out| {
-                // Lists without a statement are no statements.
+                // There is no empty list of statements.
                 if self.has_statements() {
                     out.when("#enable", |out| self.scan(out));
                 } else {
-                    out.comment("There is nothing to do.");
+                    out.code("RETURN;");
                 }
             }),
         }
