@@ -1,6 +1,9 @@
 //! Programs of rungs, at random, and what they mean.
 
+mod station;
+
 use crate::tables::Random;
+pub use station::{plant, station};
 use synth_core::controller::tables::Provenance;
 use synth_core::emit::scan::Source;
 use synth_core::logic::{Expr, Literal, Var};

@@ -15,10 +15,12 @@ use sml_tests::scan::{self, Plan, Size, State, is_external, is_kept};
 use sml_tests::scratch::Scratch;
 use sml_tests::tables::Random;
 use st_evaluator::{Dialect, Unit};
+use synth_core::emit::automata;
 use synth_core::emit::scan as back_ends;
 use synth_core::emit::st::{self, Target, plcopen};
 use synth_core::emit::{rust, scan::NameMap};
-use synth_core::plant::Use;
+use synth_core::explore::Limits;
+use synth_core::plant::{Use, supervise};
 
 /// Programs of all sizes.
 fn plans() -> Vec<Plan> {
@@ -36,7 +38,7 @@ fn plans() -> Vec<Plan> {
     let plan = |(number, (variables, rungs, depth)): (u64, ([u32; 5], u32, u32))| {
         scan::random(&format!("Plant{number}"), Size { variables, rungs, depth }, number)
     };
-    (0..).zip(sizes.into_iter().cycle().take(4 * sizes.len())).map(plan).collect()
+    (0..).zip(sizes.into_iter().cycle().take(2 * sizes.len())).map(plan).collect()
 }
 
 /// Whether kept variables and, if asked for, events are as they should be after every scan.
@@ -248,10 +250,12 @@ fn rust_modules() {
 "
     );
     private += "\nfn main() {}\n";
-    for (path, text) in [("src/lib.rs", library), ("src/bin/private.rs", private), ("src/bin/drive.rs", main)] {
+    for (path, text) in [("src/lib.rs", library), ("src/bin/private.rs", private), ("src/bin/drive.rs", main)]
+    {
         scratch.write(path, &text).expect("it is written");
     }
-    let lints = ["clippy", "--quiet", "--lib", "--bin", "private", "--config", "build.rustflags=['-Dwarnings']"];
+    let lints =
+        ["clippy", "--quiet", "--lib", "--bin", "private", "--config", "build.rustflags=['-Dwarnings']"];
     let clippy = scratch.cargo(&lints, "").expect("cargo runs");
     assert!(clippy.status.success(), "{}", String::from_utf8_lossy(&clippy.stderr));
 
@@ -260,12 +264,15 @@ fn rust_modules() {
         let module = rust::scan::names(&plan.source()).program;
         for before in plan.scans(&mut Random::new(7), 1000) {
             let bits = plan.variables(is_external).map(|variable| i64::from(before.values[variable]));
-            let numbers: Vec<String> = bits.chain(before.analogues.iter().copied()).map(|n| n.to_string()).collect();
+            let numbers: Vec<String> =
+                bits.chain(before.analogues.iter().copied()).map(|n| n.to_string()).collect();
             let _ = writeln!(input, "{}", [&[module.clone()], numbers.as_slice()].concat().join(" "));
             let mut after = before.clone();
             let events = after.scan(&plan.program);
-            let names: Vec<&str> = events.iter().map(|&event| plan.events[event as usize].name.as_str()).collect();
-            let kept = |state: &State| plan.variables(is_kept).map(|v| state.values[v]).collect::<Vec<bool>>();
+            let names: Vec<&str> =
+                events.iter().map(|&event| plan.events[event as usize].name.as_str()).collect();
+            let kept =
+                |state: &State| plan.variables(is_kept).map(|v| state.values[v]).collect::<Vec<bool>>();
             expected.push(format!("{:?} {:?} {names:?}", kept(&plan.initial()), kept(&after)));
         }
     }
@@ -276,4 +283,54 @@ fn rust_modules() {
     for ((printed, expected), input) in printed.lines().zip(&expected).zip(input.lines()) {
         assert_eq!(printed, expected, "{input}");
     }
+}
+
+/// Texts of the distribution station, but for versions. `SML_BLESS=1` writes them anew.
+#[test]
+fn texts_of_the_station() {
+    let plan = scan::station();
+    let source = plan.source();
+    let plant = scan::plant();
+    let ladder_xml = plcopen::ladder::document(&source, plcopen::Dialect::Iec);
+    let texts = [
+        ("ladder.txt", back_ends::ladder::text(&source)),
+        ("ladder.svg", back_ends::ladder::drawing(&source)),
+        ("ladder.xml", ladder_xml),
+        ("list.txt", back_ends::list::text(&source)),
+        ("iec.st", st::scan::text(&source, Target::Iec)),
+        ("siemens.scl", st::scan::text(&source, Target::Siemens)),
+        ("module.rs", rust::scan::text(&source)),
+        ("automata.dot", automata::dot(&plant, None)),
+        ("automata.mmd", automata::mermaid(&plant, None)),
+        ("automata.svg", automata::svg(&plant, None)),
+    ];
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scan_backends/snapshots");
+    for (file, text) in texts {
+        let text = text.replace(env!("CARGO_PKG_VERSION"), "VERSION");
+        let path = folder.join(file);
+        if std::env::var_os("SML_BLESS").is_some() {
+            std::fs::write(&path, &text).expect("it is written");
+        }
+        let snapshot = std::fs::read_to_string(&path).expect("a snapshot");
+        assert!(text == snapshot, "{file}: SML_BLESS=1 cargo test -p sml-tests --test scan_backends");
+    }
+}
+
+/// A closed loop is drawn if it is small, every state and arrow once.
+#[test]
+fn closed_loops_are_drawn() {
+    let plant = scan::plant();
+    let closed = supervise(&plant, &Limits::default()).unwrap_or_else(|_| panic!("a feedback"));
+    let arrows: usize = (0..closed.len()).map(|entry| closed.edges(entry).len()).sum();
+    let (with, without) = (automata::dot(&plant, Some(&closed)), automata::dot(&plant, None));
+    let count = |what: &str| with.matches(what).count() - without.matches(what).count();
+    assert_eq!(count("subgraph"), 1);
+    assert_eq!(count("-> a4_s"), arrows + 1);
+    for drawing in
+        [automata::svg(&plant, Some(&closed)), back_ends::ladder::drawing(&scan::station().source())]
+    {
+        roxmltree::Document::parse(&drawing).expect("XML");
+    }
+    let svg = automata::svg(&plant, Some(&closed));
+    assert_eq!(svg.matches("rx=\"8\"").count(), closed.len() + 14);
 }

@@ -1,6 +1,7 @@
 //! Expressions as text.
 
 use crate::logic::{Expr, Var};
+use crate::plant::Condition;
 
 /// How a language writes expressions; conjunction binds tighter than disjunction in all of them.
 pub(in crate::emit) struct Notation {
@@ -29,6 +30,27 @@ impl Notation {
         let mut parts = Vec::new();
         self.push(expr, name, &mut parts, "");
         parts
+    }
+
+    /// A condition on one line.
+    pub(in crate::emit) fn condition<A>(&self, of: &Condition<A>, name: &dyn Fn(&A) -> String) -> String {
+        let join = |parts: &[Condition<A>], operator: &str, inner: fn(&Condition<A>) -> bool| {
+            let part = |part: &Condition<A>| {
+                let text = self.condition(part, name);
+                if inner(part) { format!("({text})") } else { text }
+            };
+            parts.iter().map(part).collect::<Vec<_>>().join(&format!(" {operator} "))
+        };
+        match of {
+            Condition::Atom(atom) => name(atom),
+            Condition::Not(inner) => {
+                let text = self.condition(inner, name);
+                let is_compound = matches!(**inner, Condition::And(_) | Condition::Or(_));
+                if is_compound { format!("{}({text})", self.not) } else { format!("{}{text}", self.not) }
+            }
+            Condition::And(all) => join(all, self.and, |part| matches!(part, Condition::Or(_))),
+            Condition::Or(any) => join(any, self.or, |_| false),
+        }
     }
 
     /// `before` stands before the first piece: an operator with a space, parentheses.

@@ -4,9 +4,8 @@ mod grid;
 mod svg;
 mod text;
 
-pub(in crate::emit) use grid::drawn;
 #[cfg(feature = "plcopen")]
-pub(in crate::emit) use grid::places;
+pub(in crate::emit) use grid::{drawn, places};
 pub use svg::drawing;
 pub(in crate::emit) use svg::escaped;
 pub use text::text;
