@@ -81,10 +81,9 @@ fn event_doc(source: &Source<'_>, number: u32, event: &Event) -> TokenStream {
     for rung in rungs {
         let condition = PLANT.text(&rung.condition, &name);
         let commands = commands(source, rung);
-        let does =
-            if commands.is_empty() { "Nothing is done".to_owned() } else { format!("It does: {commands};") };
+        let does = if commands.is_empty() { "nothing is to be done" } else { &commands };
         lines.push(String::new());
-        lines.push(format!("{does} where `{condition}`."));
+        lines.push(format!("Where `{condition}`: {does}."));
         lines.extend(gap(&rung.comment).map(str::to_owned));
     }
     doc(lines.iter().map(String::as_str))
