@@ -192,7 +192,7 @@ pub fn random(name: &str, size: Size, seed: u64) -> Plan {
     let mut variables = Vec::new();
     let mut add = |random: &mut Random, usage| {
         let number = variables.len();
-        let name = match NAMES.get(number).filter(|_| seed % 3 == 0) {
+        let name = match NAMES.get(number).filter(|_| seed.is_multiple_of(3)) {
             Some(name) => (*name).to_owned(),
             None => format!("{}{number}", ["s", "Sensor", "valveOf_"][random.below(3) as usize]),
         };

@@ -266,7 +266,8 @@ fn rust_modules() {
             let bits = plan.variables(is_external).map(|variable| i64::from(before.values[variable]));
             let numbers: Vec<String> =
                 bits.chain(before.analogues.iter().copied()).map(|n| n.to_string()).collect();
-            let _ = writeln!(input, "{}", [&[module.clone()], numbers.as_slice()].concat().join(" "));
+            let _ =
+                writeln!(input, "{}", [std::slice::from_ref(&module), numbers.as_slice()].concat().join(" "));
             let mut after = before.clone();
             let events = after.scan(&plan.program);
             let names: Vec<&str> =

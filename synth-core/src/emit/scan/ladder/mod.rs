@@ -29,7 +29,7 @@ fn networks(source: &Source<'_>) -> Vec<Network> {
         lines.extend(program.variables[variable as usize].doc.iter().map(|line| line.trim().to_owned()));
         Network {
             lines,
-            grid: Some(Grid::range(name, [format!("{analogue} >= {low}"), format!("{analogue} <= {high}")])),
+            grid: Some(Grid::range(name, &[format!("{analogue} >= {low}"), format!("{analogue} <= {high}")])),
         }
     });
     let rungs = (1..).zip(&program.rungs).map(|(number, rung)| {

@@ -188,7 +188,7 @@ impl<'a> Block<'a> {
             coils => {
                 assign(out, "IF", condition, " THEN");
                 out.indented(|out| {
-                    coils.iter().for_each(|coil| self.drive(out, coil, coil.drive != Drive::Reset))
+                    coils.iter().for_each(|coil| self.drive(out, coil, coil.drive != Drive::Reset));
                 });
                 if coils.iter().any(|coil| coil.drive == Drive::Out) {
                     out.code("ELSE");
