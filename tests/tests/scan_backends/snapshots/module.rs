@@ -68,37 +68,37 @@ pub mod distribution_station {
         ///
         /// Push a workpiece onto the loading dock.
         ///
-        /// It does: set Y2; where `!Y2 && X0 && !X1 && !X6 && !Y0 && !X2 && X3`.
+        /// Where `!Y2 && X0 && !X1 && !X6 && !Y0 && !X2 && X3`: set Y2.
         Inject,
         /// `reset`
         ///
         /// Draw the injector back.
         ///
-        /// It does: reset Y2; where `Y2 && !X0 && X1 && !Y3 && X5 && !Y1 && X2 && !X3`.
+        /// Where `Y2 && !X0 && X1 && !Y3 && X5 && !Y1 && X2 && !X3`: reset Y2.
         Reset,
         /// `right`
         ///
         /// Swing the boom to the testing station.
         ///
-        /// It does: reset Y0, set Y1; where `!Y1 && X2 && !X3 && (!Y2 && !X0 || !Y2 && X0 && !X1 && !X6) && (!Y4 && !X5 || !Y3 && X5)`.
+        /// Where `!Y1 && X2 && !X3 && (!Y2 && !X0 || !Y2 && X0 && !X1 && !X6) && (!Y4 && !X5 || !Y3 && X5)`: reset Y0, set Y1.
         Right,
         /// `left`
         ///
         /// Swing the boom to the loading dock.
         ///
-        /// It does: reset Y1, set Y0; where `!Y0 && !X2 && X3 && !Y4 && !X5 && (Y2 && !X0 && X1 || X6 && !Y2 && (X0 && !X1 || !X0))`.
+        /// Where `!Y0 && !X2 && X3 && !Y4 && !X5 && (Y2 && !X0 && X1 || X6 && !Y2 && (X0 && !X1 || !X0))`: reset Y1, set Y0.
         Left,
         /// `grab`
         ///
         /// Vacuum on.
         ///
-        /// It does: reset Y3, set Y4; where `!Y4 && !X5 && !Y1 && X2 && !X3 && Y2 && !X0 && X1`.
+        /// Where `!Y4 && !X5 && !Y1 && X2 && !X3 && Y2 && !X0 && X1`: reset Y3, set Y4.
         Grab,
         /// `rls`
         ///
         /// Vacuum off.
         ///
-        /// It does: reset Y4, set Y3; where `!Y3 && X5 && !Y0 && !X2 && X3`.
+        /// Where `!Y3 && X5 && !Y0 && !X2 && X3`: reset Y4, set Y3.
         Rls,
     }
 
