@@ -1,6 +1,9 @@
 //! Programs of rungs, at random, and what they mean.
 
+mod station;
+
 use crate::tables::Random;
+pub use station::{plant, station};
 use synth_core::controller::tables::Provenance;
 use synth_core::emit::scan::Source;
 use synth_core::logic::{Expr, Literal, Var};
@@ -189,7 +192,7 @@ pub fn random(name: &str, size: Size, seed: u64) -> Plan {
     let mut variables = Vec::new();
     let mut add = |random: &mut Random, usage| {
         let number = variables.len();
-        let name = match NAMES.get(number).filter(|_| seed % 3 == 0) {
+        let name = match NAMES.get(number).filter(|_| seed.is_multiple_of(3)) {
             Some(name) => (*name).to_owned(),
             None => format!("{}{number}", ["s", "Sensor", "valveOf_"][random.below(3) as usize]),
         };
@@ -274,9 +277,23 @@ fn expr(random: &mut Random, known: Var, depth: u32, and: bool) -> Expr {
     if known == 0 {
         return Expr::Constant(true);
     }
+    let literal = |random: &mut Random| {
+        Expr::Literal(Literal { variable: random.below(known), negated: random.below(2) == 1 })
+    };
     if depth == 0 || random.below(4) == 0 {
-        return Expr::Literal(Literal { variable: random.below(known), negated: random.below(2) == 1 });
+        return literal(random);
     }
-    let terms = (0..2 + random.below(3)).map(|_| expr(random, known, depth - 1, !and)).collect();
-    if and { Expr::And(terms) } else { Expr::Or(terms) }
+    let mut terms: Vec<Expr> = Vec::new();
+    for _ in 0..2 + random.below(3) {
+        let term = expr(random, known, depth - 1, !and);
+        // Synthesis says nothing twice, and linters would object.
+        if !terms.contains(&term) {
+            terms.push(term);
+        }
+    }
+    match terms.len() {
+        1 => literal(random),
+        _ if and => Expr::And(terms),
+        _ => Expr::Or(terms),
+    }
 }

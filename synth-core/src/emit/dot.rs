@@ -27,7 +27,7 @@ pub fn text(tables: &Tables) -> String {
 }
 
 /// A double-quoted DOT string; in a label a backslash would start an escape sequence.
-fn quoted(text: &str) -> String {
+pub(super) fn quoted(text: &str) -> String {
     let mut out = String::with_capacity(text.len() + 2);
     out.push('"');
     for c in text.chars() {

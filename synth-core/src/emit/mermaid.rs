@@ -19,7 +19,7 @@ pub fn text(tables: &Tables) -> String {
 }
 
 /// Characters that would end a description or be read as markup become Mermaid's entity codes.
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

@@ -1,6 +1,7 @@
 //! Back ends: texts made of [`Tables`](crate::controller::tables::Tables), or of a [`Program`](crate::plant::Program) of
 //! rungs ([`scan`]), and nothing else.
 
+pub mod automata;
 mod diagram;
 pub mod dot;
 pub mod mermaid;

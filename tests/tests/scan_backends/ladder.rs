@@ -128,7 +128,7 @@ fn network(pages: &[Vec<Vec<char>>]) -> Network {
                 if vertical(Some(line), column)
                     && vertical(below, column)
                     && !is_rail
-                    && !below.is_some_and(|below| in_symbol(below))
+                    && !below.is_some_and(in_symbol)
                 {
                     sets.unite(at(page, number, column), at(page, number + 1, column));
                 }

@@ -1,6 +1,10 @@
 //! Expressions as text.
 
 use crate::logic::{Expr, Var};
+use crate::plant::Condition;
+
+/// Terms of no more bytes stay on a line.
+const TOGETHER: usize = 80;
 
 /// How a language writes expressions; conjunction binds tighter than disjunction in all of them.
 pub(in crate::emit) struct Notation {
@@ -31,6 +35,27 @@ impl Notation {
         parts
     }
 
+    /// A condition on one line.
+    pub(in crate::emit) fn condition<A>(&self, of: &Condition<A>, name: &dyn Fn(&A) -> String) -> String {
+        let join = |parts: &[Condition<A>], operator: &str, inner: fn(&Condition<A>) -> bool| {
+            let part = |part: &Condition<A>| {
+                let text = self.condition(part, name);
+                if inner(part) { format!("({text})") } else { text }
+            };
+            parts.iter().map(part).collect::<Vec<_>>().join(&format!(" {operator} "))
+        };
+        match of {
+            Condition::Atom(atom) => name(atom),
+            Condition::Not(inner) => {
+                let text = self.condition(inner, name);
+                let is_compound = matches!(**inner, Condition::And(_) | Condition::Or(_));
+                if is_compound { format!("{}({text})", self.not) } else { format!("{}{text}", self.not) }
+            }
+            Condition::And(all) => join(all, self.and, |part| matches!(part, Condition::Or(_))),
+            Condition::Or(any) => join(any, self.or, |_| false),
+        }
+    }
+
     /// `before` stands before the first piece: an operator with a space, parentheses.
     fn push(&self, expr: &Expr, name: &dyn Fn(Var) -> String, parts: &mut Vec<String>, before: &str) {
         match expr {
@@ -54,6 +79,7 @@ impl Notation {
     ) {
         for (index, term) in terms.iter().enumerate() {
             let before = if index == 0 { before.to_owned() } else { format!("{operator} ") };
+            let first = parts.len();
             if matches!(term, Expr::Or(_)) {
                 self.push(term, name, parts, &format!("{before}("));
                 if let Some(last) = parts.last_mut() {
@@ -61,6 +87,10 @@ impl Notation {
                 }
             } else {
                 self.push(term, name, parts, &before);
+            }
+            if parts[first..].iter().map(|part| part.len() + 1).sum::<usize>() <= TOGETHER {
+                let term = parts.drain(first..).collect::<Vec<_>>().join(" ");
+                parts.push(term);
             }
         }
     }
@@ -84,14 +114,23 @@ mod tests {
     fn parentheses_stand_where_they_must() {
         let either = Expr::Or(vec![literal(1, true), literal(2, false)]);
         let both = Expr::And(vec![either.clone(), literal(0, false), either.clone()]);
-        check(&PLANT, &both, &["(!x1", "|| x2)", "&& x0", "&& (!x1", "|| x2)"]);
-        check(&STRUCTURED, &both, &["(NOT x1", "OR x2)", "AND x0", "AND (NOT x1", "OR x2)"]);
+        check(&PLANT, &both, &["(!x1 || x2)", "&& x0", "&& (!x1 || x2)"]);
+        check(&STRUCTURED, &both, &["(NOT x1 OR x2)", "AND x0", "AND (NOT x1 OR x2)"]);
         check(
             &PLANT,
             &Expr::Or(vec![both, literal(3, false)]),
-            &["(!x1", "|| x2)", "&& x0", "&& (!x1", "|| x2)", "|| x3"],
+            &["(!x1 || x2) && x0 && (!x1 || x2)", "|| x3"],
         );
         check(&PLANT, &either, &["!x1", "|| x2"]);
+    }
+
+    #[test]
+    fn long_terms_are_broken() {
+        let many = |variables: std::ops::Range<Var>| variables.map(|x| literal(x, true)).collect();
+        let long = Expr::And(vec![Expr::Or(many(10..30)), literal(0, false)]);
+        let parts = STRUCTURED.parts(&long, &|variable| format!("x{variable}"));
+        assert_eq!((parts.len(), parts[0].as_str(), parts[20].as_str()), (21, "(NOT x10", "AND x0"));
+        assert_eq!(STRUCTURED.text(&long, &|variable| format!("x{variable}")), parts.join(" "));
     }
 
     #[test]

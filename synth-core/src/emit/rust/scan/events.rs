@@ -21,7 +21,7 @@ pub(super) fn items(source: &Source<'_>, idents: &Idents) -> TokenStream {
     let texts: Vec<&str> = named.iter().map(|(_, event, _)| event.name.as_str()).collect();
     let docs = named.iter().map(|(number, event, _)| event_doc(source, *number, event));
     let count = Literal::usize_unsuffixed(named.len());
-    let words = Literal::usize_unsuffixed(named.len().div_ceil(WORD));
+    let words = Literal::usize_unsuffixed(named.len().div_ceil(WORD).max(1));
     // The bit of an event, by its position; none of an enum without variants.
     let (number, name) = if named.is_empty() {
         (quote!(match self {}), quote!(match self {}))
@@ -81,10 +81,9 @@ fn event_doc(source: &Source<'_>, number: u32, event: &Event) -> TokenStream {
     for rung in rungs {
         let condition = PLANT.text(&rung.condition, &name);
         let commands = commands(source, rung);
-        let does =
-            if commands.is_empty() { "Nothing is done".to_owned() } else { format!("It does: {commands};") };
+        let does = if commands.is_empty() { "nothing is to be done" } else { &commands };
         lines.push(String::new());
-        lines.push(format!("{does} where `{condition}`."));
+        lines.push(format!("Where `{condition}`: {does}."));
         lines.extend(gap(&rung.comment).map(str::to_owned));
     }
     doc(lines.iter().map(String::as_str))

@@ -11,6 +11,13 @@
 //! ```
 //!
 //! The module depends on nothing but `::core`, allocates nothing and cannot panic.
+//!
+//! # Why conditions are `&&` and `||`
+//!
+//! A condition could be tested in one word of all signals, a mask and a comparison a term. For the distribution station that takes
+//! 49 instructions of x86-64 a scan instead of 92, but 117 with putting the signals into the word and getting them out again
+//! (callgrind, optimised for speed; 58, 92 and 131 for size): it pays only for callers that have such a word already, and
+//! all others would pay for them.
 
 mod events;
 mod idents;

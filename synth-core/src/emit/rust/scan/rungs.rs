@@ -22,7 +22,18 @@ pub(super) fn scan(source: &Source<'_>, idents: &Idents) -> TokenStream {
     });
     let scratch = idents.variables.iter().zip(&source.program.variables);
     let scratch = scratch.filter(|(_, variable)| variable.usage == Use::Scratch).map(|(name, _)| name);
-    let rungs = source.program.rungs.iter().map(|rung| self::rung(idents, rung));
+    let rungs: TokenStream = source.program.rungs.iter().map(|rung| self::rung(idents, rung)).collect();
+    let body = if rungs.is_empty() {
+        quote!(Events::default())
+    } else {
+        quote! {
+            let mut events = Events::default();
+            #(#ranges)*
+            #(let mut #scratch = false;)*
+            #rungs
+            events
+        }
+    };
     quote! {
         /// Does one scan: from inputs, and outputs as they are, finds what may be done, and does it.
         #[allow(
@@ -38,11 +49,7 @@ pub(super) fn scan(source: &Source<'_>, idents: &Idents) -> TokenStream {
             reason = "formulas are the synthesis's"
         )]
         pub fn scan(inputs: &Inputs, outputs: &mut Outputs) -> Events {
-            let mut events = Events::default();
-            #(#ranges)*
-            #(let mut #scratch = false;)*
-            #(#rungs)*
-            events
+            #body
         }
     }
 }

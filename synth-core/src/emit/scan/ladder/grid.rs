@@ -93,7 +93,7 @@ impl Grid {
     }
 
     /// The rung that tells whether comparisons hold.
-    pub(super) fn range(name: &str, comparisons: [String; 2]) -> Grid {
+    pub(super) fn range(name: &str, comparisons: &[String; 2]) -> Grid {
         let both = [0, 1].map(|variable| Expr::Literal(Literal { variable, negated: false }));
         Grid::new(
             &Expr::And(both.into()),

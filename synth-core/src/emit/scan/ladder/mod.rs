@@ -4,9 +4,8 @@ mod grid;
 mod svg;
 mod text;
 
-pub(in crate::emit) use grid::drawn;
 #[cfg(feature = "plcopen")]
-pub(in crate::emit) use grid::places;
+pub(in crate::emit) use grid::{drawn, places};
 pub use svg::drawing;
 pub(in crate::emit) use svg::escaped;
 pub use text::text;
@@ -30,7 +29,7 @@ fn networks(source: &Source<'_>) -> Vec<Network> {
         lines.extend(program.variables[variable as usize].doc.iter().map(|line| line.trim().to_owned()));
         Network {
             lines,
-            grid: Some(Grid::range(name, [format!("{analogue} >= {low}"), format!("{analogue} <= {high}")])),
+            grid: Some(Grid::range(name, &[format!("{analogue} >= {low}"), format!("{analogue} <= {high}")])),
         }
     });
     let rungs = (1..).zip(&program.rungs).map(|(number, rung)| {

@@ -20,7 +20,7 @@ const HALF: usize = 9;
 pub fn drawing(source: &Source<'_>) -> String {
     let mut body = String::new();
     let (mut y, mut width) = (MARGIN, 0);
-    for line in origin(source, "Ladder diagram of", "ladder-svg") {
+    for line in origin(source, "Ladder diagram of", "svg") {
         y += LINE;
         width = width.max(label(&mut body, "start", MARGIN, y, &line));
     }

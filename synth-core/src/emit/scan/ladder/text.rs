@@ -119,13 +119,13 @@ fn page(out: &mut String, grid: &Grid, widths: &[usize], first: usize, end: usiz
 /// The line above a row: names, and links that pass.
 fn names(grid: &Grid, widths: &[usize], first: usize, end: usize, row: usize) -> String {
     let mut line = String::from(if first == 0 { "| " } else { "  " });
-    for column in first..end {
+    for (column, &width) in (first..end).zip(&widths[first..end]) {
         line.push(if row > 0 && grid.is_linked(row - 1, column) { '|' } else { ' ' });
         let label = match grid.cell(row, column) {
             Cell::Element(_, label) => label.as_str(),
             _ => "",
         };
-        centered(&mut line, label, widths[column], ' ');
+        centered(&mut line, label, width, ' ');
     }
     if end == grid.columns {
         line.push_str(" |");
@@ -141,7 +141,7 @@ fn wires(grid: &Grid, widths: &[usize], first: usize, end: usize, row: usize) ->
         _ if grid.is_wired(row, Some(first - 1)) => ">-",
         _ => "  ",
     });
-    for column in first..end {
+    for (column, &width) in (first..end).zip(&widths[first..end]) {
         let wired = grid.is_wired(row, Some(column)) || grid.is_wired(row, column.checked_sub(1));
         let linked = grid.is_linked(row, column) || row > 0 && grid.is_linked(row - 1, column);
         line.push(match (wired, linked) {
@@ -151,9 +151,9 @@ fn wires(grid: &Grid, widths: &[usize], first: usize, end: usize, row: usize) ->
             (false, false) => ' ',
         });
         match grid.cell(row, column) {
-            Cell::Empty => centered(&mut line, "", widths[column], ' '),
-            Cell::Wire => centered(&mut line, "", widths[column], '-'),
-            Cell::Element(symbol, _) => centered(&mut line, drawn(*symbol), widths[column], '-'),
+            Cell::Empty => centered(&mut line, "", width, ' '),
+            Cell::Wire => centered(&mut line, "", width, '-'),
+            Cell::Element(symbol, _) => centered(&mut line, drawn(*symbol), width, '-'),
         }
     }
     let wired = grid.is_wired(row, Some(end - 1));

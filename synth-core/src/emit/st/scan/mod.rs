@@ -68,11 +68,11 @@ impl<'a> Block<'a> {
             name: &self.names.function_block,
             declarations,
             body: Box::new(|out| {
-                // Lists without a statement are no statements.
+                // There is no empty list of statements.
                 if self.has_statements() {
                     out.when("#enable", |out| self.scan(out));
                 } else {
-                    out.comment("There is nothing to do.");
+                    out.code("RETURN;");
                 }
             }),
         }
@@ -188,7 +188,7 @@ impl<'a> Block<'a> {
             coils => {
                 assign(out, "IF", condition, " THEN");
                 out.indented(|out| {
-                    coils.iter().for_each(|coil| self.drive(out, coil, coil.drive != Drive::Reset))
+                    coils.iter().for_each(|coil| self.drive(out, coil, coil.drive != Drive::Reset));
                 });
                 if coils.iter().any(|coil| coil.drive == Drive::Out) {
                     out.code("ELSE");
