@@ -18,6 +18,9 @@
 pub mod ast;
 mod closed_loop;
 mod condition;
+mod entries;
+mod figures;
+mod formulas;
 #[cfg(feature = "json")]
 mod json;
 mod model;
@@ -29,12 +32,15 @@ mod program;
 mod refusal;
 pub mod remember;
 mod resolve;
+mod state_feedback;
 mod supremal;
 mod text;
 mod why;
 
 pub use closed_loop::ClosedLoop;
 pub use condition::Condition;
+pub use figures::Figures;
+pub use formulas::{DontCare, Formula, FormulaError};
 #[cfg(feature = "json")]
 pub use json::{Realization, write_json};
 pub use model::{
@@ -45,6 +51,7 @@ pub use parse::{RESERVED, parse_text, parse_tokens};
 pub use program::{Coil, Drive, Program, Rung, Use, Variable};
 pub use refusal::{Reason, Source, Unavoidable};
 pub use resolve::resolve;
+pub use state_feedback::{Options, StateFeedback, state_feedback};
 pub use supremal::{SuperviseError, supervise};
 pub use why::{Why, why};
 
