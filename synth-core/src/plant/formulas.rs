@@ -6,7 +6,7 @@
 use super::entries::Entries;
 use super::remember::Remembered;
 use super::{ClosedLoop, Condition, EventId, Plant, SignalId};
-use crate::logic::{Bdd, Expr, Function, Minimal, TooLarge, Var, factor, minimize};
+use crate::logic::{Bdd, Cover, Expr, Function, Minimal, TooLarge, Var, factor, minimize};
 use hashbrown::HashMap;
 use rustc_hash::FxBuildHasher;
 use std::fmt;
@@ -242,7 +242,7 @@ impl<'a> Bounds<'a> {
         let precondition = self.precondition(event)?;
         let cover = terms.as_ref().ok().map(|terms| &terms.cover);
         let factored = factor(&mut self.bdd, on, upper, &[precondition])?;
-        for expr in [Some(&factored), cover.map(|cover| cover.expr()).as_ref()].into_iter().flatten() {
+        for expr in [Some(&factored), cover.map(Cover::expr).as_ref()].into_iter().flatten() {
             let function = expr.function(&mut self.bdd)?;
             if !self.is_right(function, on, off)? {
                 return Ok(Err(FormulaError::Wrong { event: Some(event) }));

@@ -88,7 +88,7 @@ pub fn state_feedback(
             }
             _ => formula.factored.clone(),
         };
-        let done = assembly.event(event, expr);
+        let done = assembly.event(event, &expr);
         if !done.map_err(|reason| FormulaError::TooLarge { event: Some(event), reason })? {
             return Err(FormulaError::Wrong { event: Some(event) });
         }
@@ -110,11 +110,11 @@ struct Assembly<'a, 'b> {
 
 impl Assembly<'_, '_> {
     /// The rungs of an event; `false` if they failed their check.
-    fn event(&mut self, event: EventId, expr: Expr) -> Result<bool, TooLarge> {
+    fn event(&mut self, event: EventId, expr: &Expr) -> Result<bool, TooLarge> {
         let plant = self.bounds.plant;
         let name = &plant.events[event as usize].name;
         let mut coils: Vec<Coil> = plant.events[event as usize].commands.iter().map(coil).collect();
-        if expr == Expr::Constant(false) {
+        if *expr == Expr::Constant(false) {
             self.program.doc.push(format!("`{name}` never fires: no entry enables it"));
             return Ok(true);
         }
@@ -144,7 +144,7 @@ impl Assembly<'_, '_> {
         for (relay, coil) in delayed {
             self.rung(None, Vec::new(), Expr::literal(relay, true), vec![coil]);
         }
-        self.check_event(event, &expr, first_rung)
+        self.check_event(event, expr, first_rung)
     }
 
     /// The relay that keeps later events from firing; whether this is the first event, which writes it in any case.
@@ -233,8 +233,8 @@ fn variables(bounds: &mut Bounds<'_>) -> Result<Vec<Variable>, TooLarge> {
 fn holds_at_first(bounds: &mut Bounds<'_>, signal: SignalId) -> Result<bool, TooLarge> {
     let literal = bounds.bdd.variable(bounds.position[signal as usize])?;
     let initial = bounds.closed.entry(bounds.closed.initial as usize);
-    for component in 0..bounds.plant.components {
-        let formula = bounds.states[component][initial[component] as usize];
+    for (states, &state) in bounds.states.iter().zip(initial) {
+        let formula = states[state as usize];
         if bounds.bdd.implies(formula, literal)? {
             return Ok(true);
         }

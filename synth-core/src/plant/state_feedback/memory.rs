@@ -33,17 +33,17 @@ impl Switch {
 }
 
 /// What a list of changes does to every bit of one automaton.
-pub(super) fn switches<'c>(
+pub(super) fn switches(
     bounds: &mut Bounds<'_>,
     which: usize,
-    changes: impl Iterator<Item = &'c Change> + Clone,
+    changes: &[&Change],
 ) -> Result<Vec<Switch>, TooLarge> {
     let mut switches = Vec::new();
     for number in 0..bounds.memory[which].bits {
         let variable = bit(bounds.plant, bounds.memory, which, number);
         let value = bounds.bdd.variable(bounds.position[variable as usize])?;
         let mut switch = Switch { variable, value, set: Function::FALSE, reset: Function::FALSE };
-        for change in changes.clone() {
+        for change in changes {
             let (old, new) = (change.old >> number & 1 == 1, change.new >> number & 1 == 1);
             if old == new {
                 continue;
@@ -78,7 +78,8 @@ impl Assembly<'_, '_> {
     /// The rungs that conclude from what is seen what one automaton has to remember.
     pub(super) fn update(&mut self, which: usize) -> Result<bool, TooLarge> {
         let memory = self.bounds.memory;
-        let switches = switches(self.bounds, which, memory[which].seen.iter())?;
+        let seen: Vec<&Change> = memory[which].seen.iter().collect();
+        let switches = switches(self.bounds, which, &seen)?;
         let name = &self.bounds.plant.automata[memory[which].automaton as usize].name;
         let mut writes = Vec::new();
         for switch in &switches {
@@ -132,7 +133,8 @@ impl Assembly<'_, '_> {
         let mut all = Vec::new();
         for (which, remembered) in memory.iter().enumerate() {
             let caused = remembered.caused.iter().filter(|(cause, _)| *cause == event);
-            for mut switch in switches(self.bounds, which, caused.map(|(_, change)| change))? {
+            let caused: Vec<&Change> = caused.map(|(_, change)| change).collect();
+            for mut switch in switches(self.bounds, which, &caused)? {
                 switch.set = self.bounds.bdd.and(switch.set, on)?;
                 switch.reset = self.bounds.bdd.and(switch.reset, on)?;
                 all.push(switch);

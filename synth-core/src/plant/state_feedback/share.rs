@@ -148,10 +148,10 @@ impl Assembly<'_, '_> {
         for coil in &rung.coils {
             let changed = self.function(&Expr::literal(coil.variable, true))?;
             let changed = self.bounds.bdd.top(changed);
-            for relay in kept..values.len() {
-                let support = self.bounds.bdd.support(&[values[relay]]);
+            for (relay, value) in values.iter_mut().enumerate().skip(kept) {
+                let support = self.bounds.bdd.support(&[*value]);
                 if changed.is_some_and(|changed| support.contains(&changed)) {
-                    values[relay] = self.function(&Expr::literal(relay as Var, true))?;
+                    *value = self.function(&Expr::literal(relay as Var, true))?;
                 }
             }
         }
