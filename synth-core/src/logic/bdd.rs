@@ -65,6 +65,8 @@ pub struct Bdd {
     unique: HashMap<Node, Function, FxBuildHasher>,
     conjunctions: HashMap<(Function, Function), Function, FxBuildHasher>,
     limit: usize,
+    /// Nodes visited so far, for budgets that do not depend on the machine.
+    work: u64,
 }
 
 impl Default for Bdd {
@@ -88,6 +90,7 @@ impl Bdd {
             unique: HashMap::default(),
             conjunctions: HashMap::default(),
             limit: limit.min(u32::MAX as usize / 2),
+            work: 0,
         }
     }
 
@@ -95,6 +98,11 @@ impl Bdd {
     #[must_use]
     pub fn size(&self) -> usize {
         self.nodes.len()
+    }
+
+    /// How many nodes operations have visited so far.
+    pub(super) fn work(&self) -> u64 {
+        self.work
     }
 
     fn make(&mut self, variable: Var, low: Function, high: Function) -> Result<Function, TooLarge> {
@@ -159,6 +167,7 @@ impl Bdd {
         if let Some(&known) = self.conjunctions.get(&key) {
             return Ok(known);
         }
+        self.work += 1;
         let variable = self.first(f, g);
         let (f0, f1) = self.branches(f, variable);
         let (g0, g1) = self.branches(g, variable);
@@ -223,6 +232,7 @@ impl Bdd {
         if let Some(&known) = memo.get(&regular) {
             return Ok(known.negated_like(f));
         }
+        self.work += 1;
         let low = self.cofactor_memo(low, variable, value, memo)?;
         let high = self.cofactor_memo(high, variable, value, memo)?;
         let result = self.make(top, low, high)?;
@@ -245,6 +255,7 @@ impl Bdd {
         if let Some(&known) = memo.get(&f) {
             return Ok(known);
         }
+        self.work += 1;
         let (low, high) = self.branches(f, top);
         let low = self.exists_memo(low, variables, memo)?;
         let high = self.exists_memo(high, variables, memo)?;
@@ -332,31 +343,31 @@ impl Bdd {
         Some(literals)
     }
 
-    /// All values of a function of variables that are less than `variables`: bit `i % 64` of word `i / 64` is the value
-    /// where the variables are the bits of `i`, variable 0 the least.
+    /// All values of a function that depends on nothing but `variables`, which ascend: bit `i % 64` of word `i / 64` is the
+    /// value where the first of `variables` is the least bit of `i`, and so on.
     ///
     /// # Panics
     /// If there are more than 30 variables: the table would have a gigabit.
     #[must_use]
-    pub fn truth_table(&self, f: Function, variables: u32) -> Vec<u64> {
-        assert!(variables <= 30, "a truth table of {variables} variables");
-        let mut table = vec![0; (1usize << variables).div_ceil(64)];
-        self.fill(f, 0, variables, 0, &mut table);
+    pub fn truth_table(&self, f: Function, variables: &[Var]) -> Vec<u64> {
+        assert!(variables.len() <= 30, "a truth table of {} variables", variables.len());
+        let mut table = vec![0; (1usize << variables.len()).div_ceil(64)];
+        self.fill(f, variables, 0, 0, &mut table);
         table
     }
 
-    /// The values where the variables below `variable` are the bits of `index`.
-    fn fill(&self, f: Function, variable: Var, variables: Var, index: usize, table: &mut [u64]) {
+    /// The values where the variables before `position` are the bits of `index`.
+    fn fill(&self, f: Function, variables: &[Var], position: usize, index: usize, table: &mut [u64]) {
         if f == Function::FALSE {
             return;
         }
-        if variable == variables {
+        let Some(&variable) = variables.get(position) else {
             table[index / 64] |= 1 << (index % 64);
             return;
-        }
+        };
         let (low, high) = self.branches(f, variable);
-        self.fill(low, variable + 1, variables, index, table);
-        self.fill(high, variable + 1, variables, index | 1 << variable, table);
+        self.fill(low, variables, position + 1, index, table);
+        self.fill(high, variables, position + 1, index | 1 << position, table);
     }
 }
 

@@ -3,15 +3,8 @@
 //! Essential columns, dominated rows and dominated columns go first (Quine 1955, McCluskey 1956); what is left, the cyclic
 //! core, falls into independent parts or is branched on, cut by rows that share no column and so need one each.
 
-/// Chooses among columns, which are numbered; a row is the ascending list of the columns that meet it.
-pub(super) struct Covering<'a> {
-    /// What a column costs.
-    weights: &'a [u64],
-    /// How much work is left before the search gives up, in rows looked at.
-    budget: u64,
-    /// It gave up: what it found need not be the best.
-    exhausted: bool,
-}
+/// A row: the set of columns that meet it; or a column: the set of rows that it meets.
+type Bits = Vec<u64>;
 
 /// The result of a search.
 pub(super) struct Covered {
@@ -27,9 +20,19 @@ struct Choice {
     columns: Vec<u32>,
 }
 
-/// A choice of columns that meets all `rows` and costs less than `limit`, as cheap as can be found with `budget`.
-pub(super) fn cover(rows: Vec<Vec<u32>>, weights: &[u64], limit: u64, budget: u64) -> Covered {
-    let mut search = Covering { weights, budget, exhausted: false };
+/// A choice of columns that meets all `rows` and costs less than `limit`, as cheap as can be found with `budget`, which is in
+/// comparisons of rows or columns. A row is the list of the columns that meet it.
+pub(super) fn cover(rows: &[Vec<u32>], weights: &[u64], limit: u64, budget: u64) -> Covered {
+    let words = weights.len().div_ceil(64);
+    let rows = rows
+        .iter()
+        .map(|row| {
+            let mut bits = vec![0; words];
+            row.iter().for_each(|&column| insert(&mut bits, column));
+            bits
+        })
+        .collect();
+    let mut search = Search { weights, budget, exhausted: false };
     let columns = search.solve(rows, limit).map(|mut choice| {
         choice.columns.sort_unstable();
         choice.columns
@@ -37,14 +40,21 @@ pub(super) fn cover(rows: Vec<Vec<u32>>, weights: &[u64], limit: u64, budget: u6
     Covered { columns, proven: !search.exhausted }
 }
 
-impl Covering<'_> {
-    fn solve(&mut self, mut rows: Vec<Vec<u32>>, limit: u64) -> Option<Choice> {
-        let work = 1 + rows.len() as u64;
-        if self.budget < work {
+struct Search<'a> {
+    /// What a column costs.
+    weights: &'a [u64],
+    /// How many comparisons are left before the search gives up.
+    budget: u64,
+    /// It gave up: what it found need not be the best.
+    exhausted: bool,
+}
+
+impl Search<'_> {
+    fn solve(&mut self, mut rows: Vec<Bits>, limit: u64) -> Option<Choice> {
+        if self.budget == 0 {
             self.exhausted = true;
             return None;
         }
-        self.budget -= work;
         let mut columns = Vec::new();
         self.reduce(&mut rows, &mut columns);
         let weight: u64 = columns.iter().map(|&column| self.weights[column as usize]).sum();
@@ -54,16 +64,17 @@ impl Covering<'_> {
         if weight + self.bound(&rows) >= limit {
             return None;
         }
-        let rest = match parts(&rows) {
-            parts if parts.len() > 1 => self.solve_parts(parts, limit - weight),
-            _ => self.branch(&rows, limit - weight),
+        let mut parts = parts(rows);
+        let rest = match parts.len() {
+            1 => self.branch(&parts.remove(0), limit - weight),
+            _ => self.solve_parts(parts, limit - weight),
         }?;
         columns.extend(rest.columns);
         Some(Choice { weight: weight + rest.weight, columns })
     }
 
     /// Parts that share no column.
-    fn solve_parts(&mut self, parts: Vec<Vec<Vec<u32>>>, limit: u64) -> Option<Choice> {
+    fn solve_parts(&mut self, parts: Vec<Vec<Bits>>, limit: u64) -> Option<Choice> {
         let mut all = Choice { weight: 0, columns: Vec::new() };
         for part in parts {
             let choice = self.solve(part, limit.checked_sub(all.weight)?)?;
@@ -74,56 +85,53 @@ impl Covering<'_> {
     }
 
     /// Tries every column of a shortest row, the ones before it left out.
-    fn branch(&mut self, rows: &[Vec<u32>], mut limit: u64) -> Option<Choice> {
-        let row = rows.iter().min_by_key(|row| row.len())?;
-        let met = |column: u32| rows.iter().filter(|row| row.binary_search(&column).is_ok()).count();
-        let mut candidates = row.clone();
+    fn branch(&mut self, rows: &[Bits], mut limit: u64) -> Option<Choice> {
+        let row = rows.iter().min_by_key(|row| len(row))?;
+        let met = |column: u32| rows.iter().filter(|row| has(row, column)).count();
+        let mut candidates: Vec<u32> = members(row).collect();
         candidates.sort_by_cached_key(|&column| (usize::MAX - met(column), self.weights[column as usize]));
         let mut best = None;
-        for (position, &column) in candidates.iter().enumerate() {
+        let mut tried = vec![0; row.len()];
+        for column in candidates {
             let weight = self.weights[column as usize];
-            let tried = &candidates[..position];
-            let rest = rows
-                .iter()
-                .filter(|row| row.binary_search(&column).is_err())
-                .map(|row| row.iter().copied().filter(|other| !tried.contains(other)).collect())
-                .collect();
+            let mut rest: Vec<Bits> = rows.iter().filter(|row| !has(row, column)).cloned().collect();
+            rest.iter_mut().for_each(|row| remove(row, &tried));
             if let Some(mut choice) = limit.checked_sub(weight).and_then(|limit| self.solve(rest, limit)) {
                 choice.weight += weight;
                 choice.columns.push(column);
                 limit = choice.weight;
                 best = Some(choice);
             }
+            insert(&mut tried, column);
         }
         best
     }
 
     /// Rows that share no column need a column each.
-    fn bound(&self, rows: &[Vec<u32>]) -> u64 {
-        let mut order: Vec<&Vec<u32>> = rows.iter().collect();
-        order.sort_by_key(|row| row.len());
-        let mut used = vec![false; self.weights.len()];
+    fn bound(&self, rows: &[Bits]) -> u64 {
+        let mut order: Vec<&Bits> = rows.iter().collect();
+        order.sort_by_cached_key(|row| len(row));
+        let mut used = vec![0; rows[0].len()];
         let mut bound = 0;
         for row in order {
-            if row.iter().all(|&column| !used[column as usize]) {
-                row.iter().for_each(|&column| used[column as usize] = true);
-                bound +=
-                    row.iter().map(|&column| self.weights[column as usize]).min().unwrap_or(u64::MAX / 4);
+            if !meet(row, &used) {
+                unite(&mut used, row);
+                let least = members(row).map(|column| self.weights[column as usize]).min();
+                bound += least.unwrap_or(u64::MAX / 4);
             }
         }
         bound
     }
 
     /// Takes what must be taken and removes what cannot matter, until nothing changes. A row without columns stays.
-    fn reduce(&self, rows: &mut Vec<Vec<u32>>, chosen: &mut Vec<u32>) {
+    fn reduce(&mut self, rows: &mut Vec<Bits>, chosen: &mut Vec<u32>) {
         loop {
-            rows.sort_unstable_by(|a, b| (a.len(), a).cmp(&(b.len(), b)));
-            rows.dedup();
-            let essential: Vec<u32> =
-                rows.iter().take_while(|row| row.len() <= 1).filter_map(|row| row.first().copied()).collect();
-            if !essential.is_empty() {
-                rows.retain(|row| row.iter().all(|column| essential.binary_search(column).is_err()));
-                chosen.extend(essential);
+            rows.sort_by_cached_key(|row| len(row));
+            let essential = rows.iter().find(|row| len(row) == 1).and_then(|row| members(row).next());
+            if let Some(column) = essential {
+                rows.retain(|row| !has(row, column));
+                chosen.push(column);
+                continue;
             }
             self.keep_hard_rows(rows);
             if !self.keep_good_columns(rows) {
@@ -133,21 +141,11 @@ impl Covering<'_> {
     }
 
     /// A row that contains another is met wherever that one is. Rows are in order of length.
-    fn keep_hard_rows(&self, rows: &mut Vec<Vec<u32>>) {
-        let mut kept: Vec<Vec<u32>> = Vec::with_capacity(rows.len());
-        let mut kept_by_column: Vec<Vec<u32>> = vec![Vec::new(); self.weights.len()];
-        let mut shared = vec![0; rows.len()];
+    fn keep_hard_rows(&mut self, rows: &mut Vec<Bits>) {
+        let mut kept: Vec<Bits> = Vec::with_capacity(rows.len());
         for row in rows.drain(..) {
-            let mut touched = Vec::new();
-            let mut contains_other = false;
-            for &other in row.iter().flat_map(|&column| &kept_by_column[column as usize]) {
-                shared[other as usize] += 1;
-                touched.push(other);
-                contains_other |= shared[other as usize] == kept[other as usize].len();
-            }
-            touched.into_iter().for_each(|other| shared[other as usize] = 0);
-            if !contains_other {
-                row.iter().for_each(|&column| kept_by_column[column as usize].push(kept.len() as u32));
+            self.budget = self.budget.saturating_sub(kept.len() as u64 + 1);
+            if !kept.iter().any(|other| within(other, &row)) {
                 kept.push(row);
             }
         }
@@ -155,72 +153,100 @@ impl Covering<'_> {
     }
 
     /// A column is not needed if another that costs no more meets all of its rows. Says whether any has gone.
-    fn keep_good_columns(&self, rows: &mut [Vec<u32>]) -> bool {
-        let mut met: Vec<Vec<u32>> = vec![Vec::new(); self.weights.len()];
-        for (position, row) in rows.iter().enumerate() {
-            row.iter().for_each(|&column| met[column as usize].push(position as u32));
-        }
-        let mut order: Vec<u32> =
-            (0..self.weights.len() as u32).filter(|&column| !met[column as usize].is_empty()).collect();
-        order.sort_by_key(|&column| (usize::MAX - met[column as usize].len(), self.weights[column as usize]));
-        let mut kept_by_row: Vec<Vec<u32>> = vec![Vec::new(); rows.len()];
-        let mut shared = vec![0; self.weights.len()];
-        let mut gone = vec![false; self.weights.len()];
+    fn keep_good_columns(&mut self, rows: &mut [Bits]) -> bool {
+        let mut all = vec![0; self.weights.len().div_ceil(64)];
+        rows.iter().for_each(|row| unite(&mut all, row));
+        let mut columns: Vec<(usize, u64, u32, Bits)> = members(&all)
+            .map(|column| {
+                let mut met = vec![0; rows.len().div_ceil(64)];
+                (0..rows.len())
+                    .filter(|&row| has(&rows[row], column))
+                    .for_each(|row| insert(&mut met, row as u32));
+                (usize::MAX - len(&met), self.weights[column as usize], column, met)
+            })
+            .collect();
+        columns.sort_unstable();
+        let mut kept: Vec<(u64, Bits)> = Vec::with_capacity(columns.len());
+        let mut gone = vec![0; all.len()];
         let mut any = false;
-        for column in order {
-            let own = &met[column as usize];
-            let mut touched = Vec::new();
-            let mut dominated = false;
-            for &other in own.iter().flat_map(|&row| &kept_by_row[row as usize]) {
-                shared[other as usize] += 1;
-                touched.push(other);
-                dominated |= shared[other as usize] == own.len()
-                    && self.weights[other as usize] <= self.weights[column as usize];
-            }
-            touched.into_iter().for_each(|other| shared[other as usize] = 0);
-            if dominated {
-                gone[column as usize] = true;
+        for (_, weight, column, met) in columns {
+            self.budget = self.budget.saturating_sub(kept.len() as u64 + 1);
+            if kept.iter().any(|(other, more)| *other <= weight && within(&met, more)) {
+                insert(&mut gone, column);
                 any = true;
             } else {
-                own.iter().for_each(|&row| kept_by_row[row as usize].push(column));
+                kept.push((weight, met));
             }
         }
         if any {
-            rows.iter_mut().for_each(|row| row.retain(|&column| !gone[column as usize]));
+            rows.iter_mut().for_each(|row| remove(row, &gone));
         }
         any
     }
 }
 
 /// Groups of rows that share no column with rows of another group.
-fn parts(rows: &[Vec<u32>]) -> Vec<Vec<Vec<u32>>> {
-    let columns = rows.iter().flatten().max().map_or(0, |&column| column as usize + 1);
-    // The group that a column was seen in; groups point to the one that they were merged into.
-    let mut group_of_column = vec![usize::MAX; columns];
-    let mut merged: Vec<usize> = (0..rows.len()).collect();
-    let root = |merged: &[usize], mut group: usize| {
-        while merged[group] != group {
-            group = merged[group];
-        }
-        group
-    };
-    for (position, row) in rows.iter().enumerate() {
-        for &column in row {
-            match &mut group_of_column[column as usize] {
-                group if *group == usize::MAX => *group = position,
-                group => {
-                    let (a, b) = (root(&merged, *group), root(&merged, position));
-                    merged[a.max(b)] = a.min(b);
-                }
+fn parts(rows: Vec<Bits>) -> Vec<Vec<Bits>> {
+    let mut groups: Vec<(Bits, Vec<Bits>)> = Vec::new();
+    for row in rows {
+        let (mut columns, mut members) = (row.clone(), vec![row]);
+        let mut apart = Vec::with_capacity(groups.len() + 1);
+        for (others, group) in groups {
+            if meet(&others, &columns) {
+                unite(&mut columns, &others);
+                members.extend(group);
+            } else {
+                apart.push((others, group));
             }
         }
+        apart.push((columns, members));
+        groups = apart;
     }
-    let mut parts: Vec<Vec<Vec<u32>>> = vec![Vec::new(); rows.len()];
-    for (position, row) in rows.iter().enumerate() {
-        parts[root(&merged, position)].push(row.clone());
+    groups.into_iter().map(|(_, members)| members).collect()
+}
+
+fn has(set: &[u64], member: u32) -> bool {
+    set[member as usize / 64] >> (member % 64) & 1 == 1
+}
+
+fn insert(set: &mut [u64], member: u32) {
+    set[member as usize / 64] |= 1 << (member % 64);
+}
+
+fn len(set: &[u64]) -> usize {
+    set.iter().map(|word| word.count_ones() as usize).sum()
+}
+
+fn members(set: &[u64]) -> impl Iterator<Item = u32> {
+    (0..set.len() as u32 * 64).filter(|&member| has(set, member))
+}
+
+// Loops, since these run millions of times, also in builds without optimisation.
+
+fn within(set: &[u64], other: &[u64]) -> bool {
+    for i in 0..set.len() {
+        if set[i] & !other[i] != 0 {
+            return false;
+        }
     }
-    parts.retain(|part| !part.is_empty());
-    parts
+    true
+}
+
+fn meet(set: &[u64], other: &[u64]) -> bool {
+    for i in 0..set.len() {
+        if set[i] & other[i] != 0 {
+            return true;
+        }
+    }
+    false
+}
+
+fn unite(set: &mut [u64], other: &[u64]) {
+    set.iter_mut().zip(other).for_each(|(word, other)| *word |= other);
+}
+
+fn remove(set: &mut [u64], other: &[u64]) {
+    set.iter_mut().zip(other).for_each(|(word, other)| *word &= !other);
 }
 
 #[cfg(test)]

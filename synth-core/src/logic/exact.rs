@@ -21,9 +21,9 @@ pub struct Minimal {
 }
 
 /// Beyond so many primes or rows the result of the heuristic is taken.
-const PRIMES: usize = 4_000;
-/// Work of the covering search, in rows looked at.
-const BUDGET: u64 = 400_000;
+const PRIMES: usize = 2_000;
+/// Work of the covering search, in comparisons of sets: a second without optimisation.
+const BUDGET: u64 = 2_000_000;
 /// A term weighs more than all literals that a cover could save.
 const TERM: u64 = 1 << 24;
 
@@ -62,7 +62,7 @@ impl Exact {
         };
         let weight = |cube: &Cube| TERM + u64::from(cube.literals());
         let weights: Vec<u64> = self.primes.iter().map(weight).collect();
-        let covered = cover(rows, &weights, small.cubes.iter().map(weight).sum(), BUDGET);
+        let covered = cover(&rows, &weights, small.cubes.iter().map(weight).sum(), BUDGET);
         let cover = match covered.columns {
             None => small,
             Some(columns) => {

@@ -1,16 +1,18 @@
 //! Expressions with few instructions.
 //!
-//! Three ways, of which the best result is taken: [`divide`] factors disjunctions algebraically, also that of the negation;
+//! What falls into [`parts`] without a common variable is factored part by part. Then three ways, of which the best result is
+//! taken: [`divide`] factors disjunctions algebraically, also that of the negation;
 //! [`split`] decomposes the function itself into two that share few variables, with don't-cares; [`rewrite`] goes over an
 //! expression and looks for something smaller in place of every part, with all the freedom that the parts around it leave.
 //! The last includes the factoring into a precondition and an enabling condition that matters only where the former holds.
 
 mod divide;
+mod parts;
 mod rewrite;
 mod split;
 
 use super::instructions::{count, depth};
-use super::{Bdd, Cover, Expr, Function, TooLarge, heuristic};
+use super::{Bdd, Expr, Function, TooLarge, minimize};
 
 /// The stack that the smallest controllers have.
 const STACK: usize = 3;
@@ -24,8 +26,7 @@ pub(super) fn cost(expr: &Expr) -> (bool, usize, usize, usize) {
 
 /// An expression with few instructions that holds where `lower` does and nowhere where `upper` does not.
 ///
-/// `cover` is a disjunction that does, if there is one of reasonable size; `preconditions` are functions that `lower` implies,
-/// which are tried as a factor. Not proven to be the smallest.
+/// `preconditions` are functions that `lower` implies, which are tried as a factor. Not proven to be the smallest.
 ///
 /// # Errors
 /// If decision diagrams get too large.
@@ -33,32 +34,60 @@ pub fn factor(
     bdd: &mut Bdd,
     lower: Function,
     upper: Function,
-    cover: Option<&Cover>,
-    preconditions: &[Expr],
+    preconditions: &[Function],
 ) -> Result<Expr, TooLarge> {
-    let mut starts = vec![split::split(bdd, lower, upper)?];
-    if let Some(cover) = cover {
-        starts.push(divide::factor(cover));
+    if lower == upper {
+        for and in [true, false] {
+            let parts = parts::parts(bdd, lower, and)?;
+            if parts.len() > 1 {
+                let parts = parts.into_iter().map(|part| one(bdd, part, part, preconditions));
+                let parts = parts.collect::<Result<Vec<Expr>, TooLarge>>()?;
+                return Ok(if and { Expr::all(parts) } else { Expr::any(parts) }.in_order());
+            }
+        }
     }
-    if let Ok(negation) = heuristic::minimize(bdd, !upper, !lower) {
-        starts.push(divide::factor(&negation).negated());
+    Ok(one(bdd, lower, upper, preconditions)?.in_order())
+}
+
+/// A function as a whole.
+fn one(
+    bdd: &mut Bdd,
+    lower: Function,
+    upper: Function,
+    preconditions: &[Function],
+) -> Result<Expr, TooLarge> {
+    let mut starts = Vec::new();
+    for negated in [false, true] {
+        let bounds = if negated { (!upper, !lower) } else { (lower, upper) };
+        // What has too many terms is not worth starting from.
+        if let Ok(minimal) = minimize(bdd, bounds.0, bounds.1) {
+            let expr = divide::factor(&minimal.cover);
+            starts.push(if negated { expr.negated() } else { expr });
+        }
     }
-    for precondition in preconditions {
-        let f = precondition.function(bdd)?;
-        let free = bdd.or(upper, !f)?;
-        let enabling = split::split(bdd, lower, free)?;
-        starts.push(Expr::all(vec![precondition.clone(), enabling]));
+    let mut splitter = split::Splitter::new(bdd);
+    let plain = splitter.split(lower, upper)?;
+    for &precondition in preconditions {
+        if splitter.bdd.implies(lower, precondition)? {
+            let free = splitter.bdd.or(upper, !precondition)?;
+            let own = splitter.split(precondition, precondition)?;
+            let enabling = splitter.split(lower, free)?;
+            starts.push(Expr::all(vec![own, enabling]));
+        }
     }
+    // What is worse would be replaced by this as a whole.
+    starts.retain(|start| cost(start) <= cost(&plain));
+    starts.push(plain);
     starts.sort_by_cached_key(cost);
     starts.dedup();
     let mut best: Option<Expr> = None;
     for start in starts {
-        let expr = rewrite::rewrite(bdd, start, lower, upper)?;
+        let expr = rewrite::rewrite(&mut splitter, start, lower, upper)?;
         if best.as_ref().is_none_or(|best| cost(&expr) < cost(best)) {
             best = Some(expr);
         }
     }
-    Ok(best.unwrap_or(Expr::Constant(false)).in_order())
+    Ok(best.unwrap_or(Expr::Constant(false)))
 }
 
 #[cfg(test)]

@@ -185,7 +185,7 @@ impl Espresso<'_> {
     }
 
     /// Every term shrinks to what the others leave of `lower`.
-    fn reduce(&mut self, cubes: &mut Vec<Cube>) -> Result<(), TooLarge> {
+    fn reduce(&mut self, cubes: &mut [Cube]) -> Result<(), TooLarge> {
         cubes.sort_unstable_by_key(|cube| (cube.literals(), *cube));
         let terms = self.terms(cubes)?;
         let after = self.sums_after(&terms)?;

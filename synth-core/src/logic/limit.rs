@@ -14,7 +14,7 @@ pub enum TooLarge {
 }
 
 impl fmt::Display for TooLarge {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             TooLarge::Nodes(limit) => write!(f, "its decision diagram needs more than {limit} nodes"),
             TooLarge::Variables(count) => {

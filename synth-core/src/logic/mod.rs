@@ -18,9 +18,13 @@ mod factor;
 mod heuristic;
 mod instructions;
 mod limit;
+#[cfg(test)]
+mod testing;
 
 pub use bdd::{Bdd, Function};
 pub use cover::{Cover, Cube};
 pub use exact::{Minimal, minimize};
 pub use expr::{Expr, Literal, Var};
+pub use factor::factor;
+pub use instructions::{Algebra, Instruction, Words, count, depth, instructions, run, stack_depth};
 pub use limit::TooLarge;

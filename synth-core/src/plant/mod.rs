@@ -18,6 +18,9 @@
 pub mod ast;
 mod closed_loop;
 mod condition;
+mod entries;
+mod figures;
+mod formulas;
 #[cfg(feature = "json")]
 mod json;
 mod model;
@@ -31,12 +34,15 @@ mod readable;
 mod refusal;
 pub mod remember;
 mod resolve;
+mod state_feedback;
 mod supremal;
 mod text;
 mod why;
 
 pub use closed_loop::ClosedLoop;
 pub use condition::Condition;
+pub use figures::Figures;
+pub use formulas::{DontCare, Formula, FormulaError};
 #[cfg(feature = "json")]
 pub use json::{Realization, write_json};
 pub use model::{
@@ -49,6 +55,7 @@ pub use program::{Coil, Drive, Program, Rung, Use, Variable};
 pub use readable::unreadable;
 pub use refusal::{Reason, Source, Unavoidable};
 pub use resolve::resolve;
+pub use state_feedback::{Options, StateFeedback, state_feedback};
 pub use supremal::{SuperviseError, supervise};
 pub use why::{Why, why};
 

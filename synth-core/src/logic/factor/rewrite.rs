@@ -5,7 +5,8 @@
 //! transduction method", 1989, for a tree). So are sets of parts of one operator.
 
 use super::super::{Bdd, Expr, Function, TooLarge};
-use super::{cost, split};
+use super::cost;
+use super::split::Splitter;
 
 /// Passes over the whole expression.
 const PASSES: usize = 6;
@@ -14,14 +15,14 @@ const PAIRS: usize = 8;
 
 /// `expr`, which lies between the bounds, or something smaller that does.
 pub(super) fn rewrite(
-    bdd: &mut Bdd,
+    splitter: &mut Splitter<'_>,
     mut expr: Expr,
     lower: Function,
     upper: Function,
 ) -> Result<Expr, TooLarge> {
     for _ in 0..PASSES {
         let before = cost(&expr);
-        expr = smaller(bdd, expr, lower, upper)?;
+        expr = smaller(splitter, expr, lower, upper)?;
         if cost(&expr) >= before {
             break;
         }
@@ -30,8 +31,16 @@ pub(super) fn rewrite(
 }
 
 /// One pass, from the root to the leaves.
-fn smaller(bdd: &mut Bdd, expr: Expr, lower: Function, upper: Function) -> Result<Expr, TooLarge> {
-    let expr = replaced(bdd, expr, lower, upper)?;
+fn smaller(
+    splitter: &mut Splitter<'_>,
+    expr: Expr,
+    lower: Function,
+    upper: Function,
+) -> Result<Expr, TooLarge> {
+    if splitter.is_late() {
+        return Ok(expr);
+    }
+    let expr = replaced(splitter, expr, lower, upper)?;
     let (and, mut parts) = match expr {
         Expr::And(parts) => (true, parts),
         Expr::Or(parts) => (false, parts),
@@ -39,8 +48,8 @@ fn smaller(bdd: &mut Bdd, expr: Expr, lower: Function, upper: Function) -> Resul
     };
     let mut position = 0;
     while position < parts.len() {
-        let (low, high) = bounds(bdd, &parts, &[position], and, lower, upper)?;
-        let part = smaller(bdd, parts[position].clone(), low, high)?;
+        let (low, high) = bounds(splitter.bdd, &parts, &[position], and, lower, upper)?;
+        let part = smaller(splitter, parts[position].clone(), low, high)?;
         match part {
             Expr::Constant(value) if value == and => {
                 parts.remove(position);
@@ -51,14 +60,14 @@ fn smaller(bdd: &mut Bdd, expr: Expr, lower: Function, upper: Function) -> Resul
         position += 1;
     }
     if parts.len() > 2 && parts.len() <= PAIRS {
-        pairs(bdd, &mut parts, and, lower, upper)?;
+        pairs(splitter, &mut parts, and, lower, upper)?;
     }
     Ok(if and { Expr::all(parts) } else { Expr::any(parts) })
 }
 
 /// Two parts at a time, as one.
 fn pairs(
-    bdd: &mut Bdd,
+    splitter: &mut Splitter<'_>,
     parts: &mut Vec<Expr>,
     and: bool,
     lower: Function,
@@ -67,11 +76,11 @@ fn pairs(
     let join = |parts: Vec<Expr>| if and { Expr::all(parts) } else { Expr::any(parts) };
     for first in 0..parts.len() {
         for second in first + 1..parts.len() {
-            if second >= parts.len() {
+            if second >= parts.len() || splitter.is_late() {
                 break;
             }
-            let (low, high) = bounds(bdd, parts, &[first, second], and, lower, upper)?;
-            let pair = split::split(bdd, low, high)?;
+            let (low, high) = bounds(splitter.bdd, parts, &[first, second], and, lower, upper)?;
+            let pair = splitter.split(low, high)?;
             let mut others = parts.clone();
             others.remove(second);
             others[first] = pair;
@@ -83,8 +92,13 @@ fn pairs(
     Ok(())
 }
 
-fn replaced(bdd: &mut Bdd, expr: Expr, lower: Function, upper: Function) -> Result<Expr, TooLarge> {
-    let other = split::split(bdd, lower, upper)?;
+fn replaced(
+    splitter: &mut Splitter<'_>,
+    expr: Expr,
+    lower: Function,
+    upper: Function,
+) -> Result<Expr, TooLarge> {
+    let other = splitter.split(lower, upper)?;
     Ok(if cost(&other) < cost(&expr) { other } else { expr })
 }
 

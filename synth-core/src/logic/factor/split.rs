@@ -6,8 +6,8 @@
 //! free for `h`. Conjunctions are disjunctions of the negation. Where no split is possible, `h` lacks one variable and `g`
 //! takes what is left ("weak"), which makes `g` hold more seldom and `h` smaller.
 
-use super::super::{Bdd, Expr, Function, TooLarge, Var};
-use super::cost;
+use super::super::{Bdd, Expr, Function, TooLarge, Var, heuristic};
+use super::{cost, divide};
 use hashbrown::HashMap;
 use rustc_hash::FxBuildHasher;
 
@@ -17,11 +17,8 @@ const WORK: usize = 300;
 const WIDTH: usize = 3;
 /// How many groupings of variables are looked for.
 const SEEDS: usize = 40;
-
-/// An expression between the bounds.
-pub(super) fn split(bdd: &mut Bdd, lower: Function, upper: Function) -> Result<Expr, TooLarge> {
-    Splitter { bdd, memo: HashMap::default(), work: WORK }.between(Interval { lower, upper })
-}
+/// After so many visits of nodes, what is left is factored algebraically: about a second without optimisation.
+const VISITS: u64 = 200_000;
 
 /// All functions that hold where `lower` does and nowhere where `upper` does not.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -36,10 +33,13 @@ impl Interval {
     }
 }
 
-struct Splitter<'a> {
-    bdd: &'a mut Bdd,
+/// Remembers what it has split.
+pub(super) struct Splitter<'a> {
+    pub(super) bdd: &'a mut Bdd,
     memo: HashMap<Interval, Expr, FxBuildHasher>,
     work: usize,
+    /// What the diagrams may have done in the end.
+    deadline: u64,
 }
 
 /// A way to take a function apart.
@@ -53,7 +53,23 @@ struct Way {
     second: Vec<Var>,
 }
 
-impl Splitter<'_> {
+impl<'a> Splitter<'a> {
+    pub(super) fn new(bdd: &'a mut Bdd) -> Self {
+        let deadline = bdd.work() + VISITS;
+        Splitter { bdd, memo: HashMap::default(), work: 0, deadline }
+    }
+
+    /// Only what is quick is still done.
+    pub(super) fn is_late(&self) -> bool {
+        self.bdd.work() > self.deadline
+    }
+
+    /// An expression between the bounds.
+    pub(super) fn split(&mut self, lower: Function, upper: Function) -> Result<Expr, TooLarge> {
+        self.work = WORK;
+        self.between(Interval { lower, upper })
+    }
+
     fn between(&mut self, mut interval: Interval) -> Result<Expr, TooLarge> {
         if interval.lower == Function::FALSE {
             return Ok(Expr::Constant(false));
@@ -68,6 +84,7 @@ impl Splitter<'_> {
         let support = self.drop_variables(&mut interval)?;
         let expr = match self.literal(interval, &support)? {
             Some((variable, value, and)) => self.by_literal(interval, variable, value, and)?,
+            None if self.is_late() => self.algebraic(interval, &support)?,
             None => self.by_ways(interval, &support)?,
         };
         self.memo.insert(asked, expr.clone());
@@ -121,6 +138,15 @@ impl Splitter<'_> {
         let upper = self.bdd.cofactor(interval.upper, variable, value == and)?;
         let parts = vec![Expr::literal(variable, value), self.between(Interval { lower, upper })?];
         Ok(if and { Expr::all(parts) } else { Expr::any(parts) })
+    }
+
+    /// In terms of a disjunction that need not be the smallest.
+    fn algebraic(&mut self, interval: Interval, support: &[Var]) -> Result<Expr, TooLarge> {
+        match heuristic::minimize(self.bdd, interval.lower, interval.upper) {
+            Ok(cover) => Ok(divide::factor(&cover)),
+            Err(TooLarge::Nodes(limit)) => Err(TooLarge::Nodes(limit)),
+            Err(_) => self.by_cases(interval, support),
+        }
     }
 
     fn by_ways(&mut self, interval: Interval, support: &[Var]) -> Result<Expr, TooLarge> {
