@@ -95,7 +95,7 @@ impl Failure {
             F::Wrong(wrong) if wrong.iter().all(|one| one.code == Code::LimitReached) => Exit::Limit,
             F::Wrong(_) => Exit::Wrong,
             F::Limit(_) => Exit::Limit,
-            F::Unrealizable(_) | F::Unverified(_) | F::Inconsistent(_) => Exit::No,
+            F::Unrealizable(_) | F::Refused(_) | F::Unverified(_) | F::Inconsistent(_) => Exit::No,
         };
         let diagnostics = failure.diagnostics();
         Failure { exit, diagnostics, sources: loaded.sources.clone() }

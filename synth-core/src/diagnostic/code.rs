@@ -442,6 +442,17 @@ codes! {
     AutomatonTooLarge = 141, "an automaton with more states than can be numbered",
         "States of one automaton are numbered by 16 bits, so there can be 65,536. A component of that size is rarely one\n\
          component: write its parts as automata of their own, with the events in which they act together in each of them.\n";
+    Unseen = 142, "what nobody can see makes a difference",
+        "The feedback depends on something that inputs, outputs and memory do not show. Either two states of the plant look\n\
+         the same, though an event may happen in only one of them; or a constraint automaton follows events that look\n\
+         the same: a controller sees no events, it sees the states of components before and afterwards. Bits of memory\n\
+         are added where they suffice; here they do not.\n\n\
+         Show the difference in the formulas of states, add a sensor or a component that has it, or let the controller\n\
+         follow events instead of states.\n";
+    FormulaTooLarge = 143, "a formula that is too large",
+        "Formulas are computed as decision diagrams, and one of these would exceed what a machine holds. This happens if\n\
+         the event depends on the states of very many components at once, in no order.\n\n\
+         Split the plant into parts that are controlled apart, or let the controller follow events instead of states.\n";
 }
 
 #[cfg(test)]

@@ -14,6 +14,8 @@ pub enum Failure {
     Wrong(Vec<Diagnostic>),
     /// No controller can meet it.
     Unrealizable(Box<Unrealizable>),
+    /// No feedback keeps the constraints of a plant.
+    Refused(Box<Diagnostic>),
     /// A limit was reached.
     Limit(LimitReached),
     /// The controller did not pass verification. This is a mistake of this project, never of the specification.
@@ -31,6 +33,7 @@ impl Failure {
         match self {
             Failure::Wrong(diagnostics) => diagnostics.clone(),
             Failure::Unrealizable(unrealizable) => vec![unrealizable.diagnostic.clone()],
+            Failure::Refused(diagnostic) => vec![(**diagnostic).clone()],
             Failure::Limit(limit) => vec![
                 general(
                     Code::LimitReached,

@@ -27,6 +27,7 @@ mod model;
 mod moves;
 mod packing;
 mod parse;
+pub mod pipeline;
 mod print;
 mod product;
 mod program;

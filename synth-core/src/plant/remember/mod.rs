@@ -22,6 +22,7 @@ mod needed;
 mod seen;
 
 use super::{AutomatonId, ClosedLoop, EventId, Plant};
+use crate::diagnostic::{Code, Diagnostic};
 use local::Local;
 
 /// What the bits of one constraint automaton are, and when they change.
@@ -61,6 +62,24 @@ pub struct Indistinguishable {
     pub automaton: AutomatonId,
     /// The events that lead to the same states of all components around it, but to different ones of the automaton.
     pub events: [EventId; 2],
+}
+
+impl Indistinguishable {
+    /// What to tell the author of the plant.
+    #[must_use]
+    pub fn diagnostic(&self, plant: &Plant) -> Diagnostic {
+        let [a, b] = self.events.map(|event| &plant.events[event as usize]);
+        let constraint = &plant.automata[self.automaton as usize];
+        let message = format!("`{}` has to remember what nobody can see", constraint.name);
+        let error = Diagnostic::error(Code::Unseen, constraint.span, message);
+        let error = if a == b {
+            error.also(a.span, format!("`{}` changes no state of a component", a.name))
+        } else {
+            let label = |other: &str| format!("looks the same as `{other}`");
+            error.also(a.span, label(&b.name)).also(b.span, label(&a.name))
+        };
+        error.help("give a component states that show the difference")
+    }
 }
 
 /// The bits that a feedback needs; none if it depends on the components' states alone.
