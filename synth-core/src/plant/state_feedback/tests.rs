@@ -129,11 +129,12 @@ fn formulas_hold_where_the_feedback_enables() {
                     DontCare::Decodable => states.is_some(),
                     DontCare::All => true,
                 };
-                let enabled = match entry {
-                    Some(entry) => closed.edges(entry).iter().any(|(event, _)| *event == formula.event),
-                    None if free => continue,
-                    None => false,
-                };
+                if entry.is_none() && free {
+                    continue;
+                }
+                let enabled = entry.is_some_and(|entry| {
+                    closed.edges(entry).iter().any(|(event, _)| *event == formula.event)
+                });
                 assert_eq!(formula.factored.eval(&holds), enabled, "{options:?} {row:b}");
                 assert_eq!(cover.eval(&holds), enabled, "{options:?} {row:b}");
             }
