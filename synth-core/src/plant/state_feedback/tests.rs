@@ -151,9 +151,8 @@ fn beside(plant: &Plant, closed: &ClosedLoop, feedback: &StateFeedback, options:
         .variables
         .iter()
         .map(|variable| match variable.usage {
-            Use::Memory(true) => 1,
             // What a relay holds before it is written must not matter.
-            Use::Scratch => 1,
+            Use::Memory(true) | Use::Scratch => 1,
             _ => 0,
         })
         .collect();
