@@ -129,11 +129,12 @@ fn formulas_hold_where_the_feedback_enables() {
                     DontCare::Decodable => states.is_some(),
                     DontCare::All => true,
                 };
-                let enabled = match entry {
-                    Some(entry) => closed.edges(entry).iter().any(|(event, _)| *event == formula.event),
-                    None if free => continue,
-                    None => false,
-                };
+                if entry.is_none() && free {
+                    continue;
+                }
+                let enabled = entry.is_some_and(|entry| {
+                    closed.edges(entry).iter().any(|(event, _)| *event == formula.event)
+                });
                 assert_eq!(formula.factored.eval(&holds), enabled, "{options:?} {row:b}");
                 assert_eq!(cover.eval(&holds), enabled, "{options:?} {row:b}");
             }
@@ -150,9 +151,8 @@ fn beside(plant: &Plant, closed: &ClosedLoop, feedback: &StateFeedback, options:
         .variables
         .iter()
         .map(|variable| match variable.usage {
-            Use::Memory(true) => 1,
             // What a relay holds before it is written must not matter.
-            Use::Scratch => 1,
+            Use::Memory(true) | Use::Scratch => 1,
             _ => 0,
         })
         .collect();
