@@ -1,4 +1,6 @@
-//! `sml!`: a verified controller from a scenario specification, at compile time.
+//! `sml!`: a verified controller from a scenario specification, at compile time. `plant!`: one from the automata of a plant.
+//!
+//! # Scenarios
 //!
 //! Written in place or in a file of its own, relative to the package:
 //!
@@ -18,17 +20,61 @@
 //! the invoking crate must depend on. A specification that is wrong or that no controller can meet is a compile error
 //! at the token that is to blame. For more than 100,000 states use a build script, also for more than 10,000 in an editor:
 //! rust-analyzer expands macros at every key, and gets the advice instead of a controller.
+//!
+//! # Plants
+//!
+//! The same for plants of automata and constraints:
+//!
+//! ```text
+//! sml_macros::plant! { plant Station { … } }
+//! sml_macros::plant!("specs/station.plant");
+//! ```
+//!
+//! They expand to `pub mod <plant>` with `Inputs`, `Outputs` and `scan`, which depends on nothing. Attributes in front:
+//!
+//! | attribute | what it does |
+//! |---|---|
+//! | `#![dont_care = "none"]` | impossible values of inputs issue no command; what is taken without it |
+//! | `#![dont_care = "decodable"]`, `"all"` | shorter formulas, free where the plant never comes, or cannot be |
+//! | `#![extract]` | at most one event a scan, the first in the order of the plant |
+//!
+//! A plant that is wrong, or whose constraints nothing can keep, is a compile error at the token that is to blame. The limits
+//! are those of `sml!`.
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 use std::path::{Path, PathBuf};
-use synth_core::embed::{self, Expander};
-use synth_core::syntax::read_bounded;
+use synth_core::embed::{self, Expander, plant};
+use synth_core::syntax::{Reader, read_bounded};
 
 /// A verified controller from a scenario specification, see the [crate] documentation.
 #[proc_macro]
 pub fn sml(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
-    let (engine, tokens) = match embed::engine(&TokenStream::from(input)) {
+    expand(input, "a specification", embed::engine, embed::inline, embed::file)
+}
+
+/// A state-feedback controller from the automata of a plant, see the [crate] documentation.
+#[proc_macro]
+pub fn plant(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    // Plants import nothing.
+    expand(
+        input,
+        "a plant",
+        plant::options,
+        |tokens, options, expander, _| plant::inline(tokens, options, expander),
+        |path, bytes, span, options, expander, _| plant::file(path, bytes, span, options, expander),
+    )
+}
+
+/// Options in front, then `what`, or the path of a file with it.
+fn expand<O>(
+    input: proc_macro::TokenStream,
+    what: &str,
+    options: impl FnOnce(&TokenStream) -> Result<(O, TokenStream), TokenStream>,
+    inline: impl FnOnce(&TokenStream, O, Expander, Reader<'_>) -> TokenStream,
+    file: impl FnOnce(&str, &[u8], Span, O, Expander, Reader<'_>) -> TokenStream,
+) -> proc_macro::TokenStream {
+    let (options, tokens) = match options(&TokenStream::from(input)) {
         Ok(split) => split,
         Err(error) => return error.into(),
     };
@@ -42,9 +88,9 @@ pub fn sml(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     };
     let expander = Expander::of(&std::env::current_exe().unwrap_or_default());
     let module = match Input::of(&tokens) {
-        Input::Specification => embed::inline(&tokens, engine, expander, &mut read),
+        Input::Inline => inline(&tokens, options, expander, &mut read),
         Input::Path(span, path) => match read(&path) {
-            Ok(bytes) => embed::file(&path, &bytes, span, engine, expander, &mut read),
+            Ok(bytes) => file(&path, &bytes, span, options, expander, &mut read),
             Err(why) => {
                 let why =
                     format!("`{path}` cannot be read: {why}\n  help: paths are relative to the package");
@@ -52,7 +98,7 @@ pub fn sml(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
             }
         },
         Input::Neither(span) => {
-            compile_error(span, "expected a specification, or the path of one as a string and nothing else")
+            compile_error(span, &format!("expected {what}, or the path of one as a string and nothing else"))
         }
     };
     // The compiler watches what is included, so a change of a file expands the macro again.
@@ -72,17 +118,17 @@ pub fn sml(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
 
 enum Input {
     /// Tokens, right or wrong.
-    Specification,
+    Inline,
     /// One string literal.
     Path(Span, String),
-    /// Something at this place that is no part of a path; a specification begins with a word.
+    /// Something at this place that is no part of a path; what can stand here begins with a word.
     Neither(Span),
 }
 
 impl Input {
     fn of(tokens: &TokenStream) -> Input {
         let mut tokens = tokens.clone().into_iter();
-        let Some(TokenTree::Literal(literal)) = tokens.next() else { return Input::Specification };
+        let Some(TokenTree::Literal(literal)) = tokens.next() else { return Input::Inline };
         match (syn::parse_str::<syn::LitStr>(&literal.to_string()), tokens.next()) {
             (Ok(path), None) if path.suffix().is_empty() => Input::Path(literal.span(), path.value()),
             (Ok(_), Some(more)) => Input::Neither(more.span()),

@@ -10,20 +10,24 @@
 //! include!(concat!(env!("OUT_DIR"), "/cell.rs"));
 //! ```
 //!
+//! What ends in `.plant` is a plant; its module has a function `scan` and depends on nothing.
+//!
 //! Cargo runs the script again when the specification changes, or a file that it imports. A wrong or unrealizable
 //! specification ends the build with the same message that `sml check` prints. Warnings are shown as Cargo's, in one line
 //! each; [`Build::deny`] makes one of them end the build.
 
 use crate::diagnostic::{Code, Diagnostic, render};
 use crate::emit::rust::{self, Engine};
+use crate::emit::scan::Source;
 use crate::explore::Limits;
 use crate::pipeline::{Options, Timings, compile_with_warnings as run};
+use crate::plant;
 use crate::quality::{Policy, Warning};
 use crate::syntax::{Sources, load, read_bounded};
 use std::path::{Path, PathBuf};
 use std::{env, fs, io, process};
 
-/// Compiles the specification at `path` (relative to the package) with the default options.
+/// Compiles the specification or the plant at `path` (relative to the package) with the default options.
 ///
 /// Does not return if that fails: the message goes to the standard error and the build script ends with status 1.
 pub fn compile(path: impl AsRef<Path>) {
@@ -36,6 +40,13 @@ pub struct Build {
     options: Options,
     policy: Policy,
     engine: Engine,
+    plants: plant::Options,
+}
+
+/// What became of a file: the module and the warnings, or all that is wrong.
+struct Compiled {
+    result: Result<(String, Vec<Diagnostic>), Vec<Diagnostic>>,
+    sources: Sources,
 }
 
 impl Build {
@@ -56,6 +67,13 @@ impl Build {
     #[must_use]
     pub fn engine(mut self, engine: Engine) -> Self {
         self.engine = engine;
+        self
+    }
+
+    /// What program is made of a plant.
+    #[must_use]
+    pub fn plant_options(mut self, options: plant::Options) -> Self {
+        self.plants = options;
         self
     }
 
@@ -108,29 +126,48 @@ impl Build {
         let package = folder("CARGO_MANIFEST_DIR")?;
         let shown = path.display().to_string();
         let bytes = read(&package, &shown).map_err(|why| format!("error: {shown} cannot be read: {why}"))?;
-        let loaded = load(&shown, &bytes, &mut |path| read(&package, path));
-        // To relax each assumption would cost each build time; `sml check` does it.
-        let thorough = self.policy.denies_code(Code::NotNeeded);
-        let compiled = run(&loaded, &self.options, thorough, &mut Timings::default());
-        let (tables, mut warnings) = compiled.map_err(|failure| {
-            let diagnostics: Vec<Diagnostic> = failure.diagnostics().into_iter().map(advise).collect();
-            render(&diagnostics, &loaded.sources, false)
+        let is_plant = path.extension().is_some_and(|extension| extension == "plant");
+        let Compiled { result, sources } =
+            if is_plant { self.plant(&shown, &bytes) } else { self.specification(&shown, &bytes, &package) };
+        let (text, mut warnings) = result.map_err(|diagnostics| {
+            let diagnostics: Vec<Diagnostic> = diagnostics.into_iter().map(advise).collect();
+            render(&diagnostics, &sources, false)
         })?;
         self.policy.apply(&mut warnings);
         let (denied, shown): (Vec<_>, Vec<_>) =
             warnings.into_iter().partition(|warning| self.policy.denies(warning));
         for warning in &shown {
-            println!("cargo::warning={}", line(warning, &loaded.sources));
+            println!("cargo::warning={}", line(warning, &sources));
         }
         if !denied.is_empty() {
-            return Err(render(&denied, &loaded.sources, false));
+            return Err(render(&denied, &sources, false));
         }
         let mut name = path.file_stem().unwrap_or(path.as_os_str()).to_owned();
         name.push(".rs");
         let target = out.join(name);
-        let options = rust::Options { engine: self.engine, ..rust::Options::default() };
-        let text = rust::text(&tables, &options);
         replace(&target, &text).map_err(|why| format!("error: {} cannot be written: {why}", target.display()))
+    }
+
+    fn specification(&self, path: &str, bytes: &[u8], package: &Path) -> Compiled {
+        let loaded = load(path, bytes, &mut |path| read(package, path));
+        // To relax each assumption would cost each build time; `sml check` does it.
+        let thorough = self.policy.denies_code(Code::NotNeeded);
+        let result = run(&loaded, &self.options, thorough, &mut Timings::default());
+        let options = rust::Options { engine: self.engine, ..rust::Options::default() };
+        let result = result.map(|(tables, warnings)| (rust::text(&tables, &options), warnings));
+        Compiled { result: result.map_err(|failure| failure.diagnostics()), sources: loaded.sources }
+    }
+
+    fn plant(&self, path: &str, bytes: &[u8]) -> Compiled {
+        let plant::Loaded { plant, sources, provenance } = plant::Loaded::of_file(path, bytes);
+        let result = plant.and_then(|(plant, warnings)| {
+            let limits = &self.options.limits;
+            let supervised = plant::pipeline::control(&plant, limits, self.plants, &mut Timings::default());
+            let program = supervised.map_err(|failure| failure.diagnostics())?.feedback.program;
+            let source = Source { program: &program, events: &plant.events, provenance: &provenance };
+            Ok((rust::scan::text(&source), warnings))
+        });
+        Compiled { result, sources }
     }
 }
 

@@ -23,6 +23,7 @@ mod figures;
 mod formulas;
 #[cfg(feature = "json")]
 mod json;
+mod loaded;
 mod model;
 mod moves;
 mod packing;
@@ -46,6 +47,7 @@ pub use figures::Figures;
 pub use formulas::{DontCare, Formula, FormulaError};
 #[cfg(feature = "json")]
 pub use json::{Realization, write_json};
+pub use loaded::Loaded;
 pub use model::{
     Automaton, AutomatonId, Command, Constraint, Edge, Event, EventId, Plant, Rule, Signal, SignalId,
     SignalKind, State, StateRef,
@@ -69,7 +71,15 @@ use crate::syntax::FileId;
 ///
 /// All that is wrong with the text, in the order of places.
 pub fn read(text: &str, file: FileId) -> Result<(Plant, Vec<Diagnostic>), Vec<Diagnostic>> {
-    let (tree, mut errors) = parse_text(text, file);
+    let (tree, errors) = parse_text(text, file);
+    resolved(tree, errors)
+}
+
+/// What was parsed, with its names resolved.
+fn resolved(
+    tree: Option<ast::File>,
+    mut errors: Vec<Diagnostic>,
+) -> Result<(Plant, Vec<Diagnostic>), Vec<Diagnostic>> {
     // What is declared by a part that could not be read is not unknown.
     let tree = tree.filter(|tree| errors.is_empty() || tree.declares_all);
     match tree.map(|tree| resolve(&tree)) {

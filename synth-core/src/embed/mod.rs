@@ -1,12 +1,15 @@
-//! What the macro `sml!` does with its input, without being a macro.
+//! What the macro `sml!` does with its input, without being a macro; [`plant`] is the same for `plant!`.
 
+mod attribute;
+pub mod plant;
+
+use self::attribute::{Attribute, take_off};
 use crate::diagnostic::{Code, Diagnostic, compile_errors, compile_errors_at};
 use crate::emit::rust::{self, Engine};
 use crate::explore::Limits;
 use crate::pipeline::{Options, Timings, compile};
 use crate::syntax::{Loaded, Reader, load, load_imports, parse_tokens};
-use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
-use quote::quote_spanned;
+use proc_macro2::{Span, TokenStream};
 use std::path::Path;
 
 /// Who waits for the macro, and so how many states it may take.
@@ -38,6 +41,21 @@ impl Expander {
     fn options(self) -> Options {
         Options { limits: Limits { states: self.states(), ..Limits::default() }, ..Options::default() }
     }
+
+    /// A limit cannot be raised in a macro, but in a build script that compiles `file`.
+    fn advise(self, diagnostic: Diagnostic, file: &str) -> Diagnostic {
+        if diagnostic.code != Code::LimitReached {
+            return diagnostic;
+        }
+        let diagnostic = match self {
+            Expander::Compiler => diagnostic,
+            Expander::Editor => diagnostic.note(format!(
+                "this is the limit of the macro in an editor; the compiler goes on to {} states",
+                Expander::Compiler.states()
+            )),
+        };
+        diagnostic.help(format!("move it to a build script: `synth_core::build::compile({file:?})`"))
+    }
 }
 
 /// Takes `#![engine = "…"]` off the beginning of the macro's input, which may have none.
@@ -46,36 +64,16 @@ impl Expander {
 ///
 /// A `compile_error!` at what is wrong with it.
 pub fn engine(tokens: &TokenStream) -> Result<(Engine, TokenStream), TokenStream> {
-    let mut rest = tokens.clone().into_iter();
-    match (rest.next(), rest.next(), rest.next()) {
-        (Some(TokenTree::Punct(hash)), Some(TokenTree::Punct(bang)), Some(TokenTree::Group(attribute)))
-            if hash.as_char() == '#'
-                && bang.as_char() == '!'
-                && attribute.delimiter() == Delimiter::Bracket =>
-        {
-            let engine = engine_of(&attribute)
-                .map_err(|(span, why)| quote_spanned!(span=> ::core::compile_error! { #why }))?;
-            Ok((engine, rest.collect()))
+    const EXPECTED: &str = "`#![engine = \"…\"]`";
+    let mut engine = Engine::default();
+    let rest = take_off(tokens, EXPECTED, |Attribute { name, value, span }| match value {
+        Some((value, at)) if name == "engine" => {
+            engine = value.parse().map_err(|why| (*at, why))?;
+            Ok(())
         }
-        _ => Ok((Engine::default(), tokens.clone())),
-    }
-}
-
-/// `engine = "…"`
-fn engine_of(attribute: &Group) -> Result<Engine, (Span, String)> {
-    let mut inner = attribute.stream().into_iter();
-    let parts = (inner.next(), inner.next(), inner.next(), inner.next());
-    let expected = || (attribute.span(), "expected `#![engine = \"…\"]`".to_owned());
-    let (Some(TokenTree::Ident(name)), Some(TokenTree::Punct(equals)), Some(TokenTree::Literal(value)), None) =
-        parts
-    else {
-        return Err(expected());
-    };
-    let value_text = syn::parse_str::<syn::LitStr>(&value.to_string()).map_err(|_| expected())?;
-    if name != "engine" || equals.as_char() != '=' {
-        return Err(expected());
-    }
-    value_text.value().parse().map_err(|why| (value.span(), why))
+        _ => Err((*span, format!("expected {EXPECTED}"))),
+    })?;
+    Ok((engine, rest))
 }
 
 /// What outputs name as the file of a specification that has none.
@@ -113,25 +111,19 @@ pub fn file(
 fn controller(loaded: &Loaded, engine: Engine, expander: Expander) -> Result<TokenStream, Vec<Diagnostic>> {
     match compile(loaded, &expander.options(), &mut Timings::default()) {
         Ok(tables) => Ok(rust::module(&tables, &rust::Options { engine, ..rust::Options::default() })),
-        Err(failure) => Err(failure.diagnostics().into_iter().map(|d| advise(d, loaded, expander)).collect()),
+        Err(failure) => {
+            let file = file_to_be(loaded);
+            Err(failure.diagnostics().into_iter().map(|d| expander.advise(d, file)).collect())
+        }
     }
 }
 
-/// A limit cannot be raised in a macro, but in a build script.
-fn advise(diagnostic: Diagnostic, loaded: &Loaded, expander: Expander) -> Diagnostic {
-    if diagnostic.code != Code::LimitReached {
-        return diagnostic;
+/// The file of a specification, or what it could be called.
+fn file_to_be(loaded: &Loaded) -> &str {
+    match loaded.sources.path(Loaded::MAIN) {
+        INLINE => "cell.sml",
+        file => file,
     }
-    let file = loaded.sources.path(Loaded::MAIN);
-    let file = if file == INLINE { "cell.sml" } else { file };
-    let diagnostic = match expander {
-        Expander::Compiler => diagnostic,
-        Expander::Editor => diagnostic.note(format!(
-            "this is the limit of the macro in an editor; the compiler goes on to {} states",
-            Expander::Compiler.states()
-        )),
-    };
-    diagnostic.help(format!("move it to a build script: `synth_core::build::compile({file:?})`"))
 }
 
 /// A macro is no file.
@@ -160,7 +152,8 @@ mod tests {
         let limit =
             Diagnostic::error(Code::LimitReached, Span::default(), "too large").help("raise `--max-states`");
         for expander in [Expander::Compiler, Expander::Editor] {
-            assert_eq!(advise(limit.clone(), &loaded, expander).help.as_deref(), Some(expect));
+            let advised = expander.advise(limit.clone(), file_to_be(&loaded));
+            assert_eq!(advised.help.as_deref(), Some(expect));
         }
     }
 

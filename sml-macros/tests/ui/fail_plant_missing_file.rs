@@ -1,0 +1,5 @@
+//! A file that is not there.
+
+sml_macros::plant!("specs/gone.plant");
+
+fn main() {}
