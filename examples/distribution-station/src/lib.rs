@@ -160,15 +160,15 @@ mod tests {
 
     #[test]
     fn a_program_that_takes_the_barrel_for_full_is_noticed() {
-        check(|inputs| Inputs { x6: false, ..inputs }, "push a workpiece out: the barrel is empty");
+        check(
+            |inputs| Inputs { x6: false, ..inputs },
+            "swing the boom to the testing station: the barrel is empty, there is no need to make room",
+        );
     }
 
     #[test]
     fn a_program_that_takes_the_boom_for_gone_is_noticed() {
-        check(
-            |inputs| Inputs { x2: false, x3: true, ..inputs },
-            "push a workpiece out: the boom is in the way",
-        );
+        check(|inputs| Inputs { x3: !inputs.x2, ..inputs }, "push a workpiece out: the boom is in the way");
     }
 
     #[test]
