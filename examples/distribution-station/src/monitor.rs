@@ -53,6 +53,9 @@ impl fmt::Display for Command {
     }
 }
 
+/// What starts has to have come to an end before.
+const UNFINISHED: &str = "the last movement is not finished";
+
 /// What it has found.
 #[derive(Debug, Default)]
 pub struct Monitor {
@@ -72,20 +75,24 @@ impl Monitor {
         };
         match command {
             Command::PushOut => {
+                ask(station.injector_is_back(), UNFINISHED);
                 ask(!station.barrel_is_empty(), "the barrel is empty");
                 ask(!station.dock_is_taken(), "the dock is occupied");
                 ask(station.boom_at_testing(), "the boom is in the way");
             }
             Command::DrawBack => {
+                ask(station.injector_is_out(), UNFINISHED);
                 ask(station.boom_at_dock() && !is_free, "the hook does not hold the workpiece on the dock");
             }
             Command::SwingToTesting => {
+                ask(station.boom_at_dock(), UNFINISHED);
                 ask(!outputs.y2, "the injector is in the way");
                 ask(is_firm && (is_free || !outputs.y3), "the grip is half done");
                 let waits = station.injector_is_back() && station.barrel_is_empty();
                 ask(!waits, "the barrel is empty, there is no need to make room");
             }
             Command::SwingToDock => {
+                ask(station.boom_at_testing(), UNFINISHED);
                 ask(is_free && !outputs.y4, "the hook still holds a workpiece");
                 ask(!outputs.y2 || station.injector_is_out(), "a workpiece is on its way to the dock");
                 let fetches = station.injector_is_out() && station.dock_is_taken();
