@@ -1,5 +1,5 @@
-//! A build script that compiles a specification, and the macro with a file, in a package of their own: what is built,
-//! and when again.
+//! A build script that compiles a specification or a plant, and the macro with a file, in a package of their own: what is
+//! built, and when again.
 
 use sml_tests::scratch::Scratch;
 use std::path::{Path, PathBuf};
@@ -237,6 +237,49 @@ fn limits_are_those_of_the_script() -> io::Result<()> {
         "error[SML0054]: the limit of 2 states was reached",
         "help: raise it with `synth_core::build::Build`",
     ]);
+    Ok(())
+}
+
+/// A clamp that closes once it is open.
+const CLAMP: &str = "\
+plant Clamp {
+    output Air
+    input Open, Shut
+    controllable close { set Air }
+    uncontrollable shut
+    automaton Jaw {
+        initial state Wide [!Air && Open] { close -> Closes }
+        state Closes [Air && !Shut] { shut -> Tight }
+        state Tight [Air && Shut]
+    }
+}
+";
+
+#[test]
+fn plants_are_compiled_by_their_extension() -> io::Result<()> {
+    let package = Package::with_script("script-plant", "synth_core::build::compile(\"specs/cell.plant\");")?;
+    package.write("specs/cell.plant", CLAMP)?;
+    let main = "include!(concat!(env!(\"OUT_DIR\"), \"/cell.rs\"));\n\
+                fn main() { use clamp::{Inputs, Outputs, scan};\n\
+                println!(\"{}\", scan(&Inputs { open: true, shut: false }, &mut Outputs::default()).iter().count()); }";
+    package.write("src/main.rs", main)?;
+    package.check_run("1");
+    let runs = package.script_runs();
+
+    package.edit("specs/cell.plant", "[!Air && Open]", "[!Air && !Open]");
+    package.check_run("0");
+    assert_eq!(package.script_runs(), runs + 1);
+
+    package.edit("specs/cell.plant", "[Air && !Shut]", "[Air]");
+    package.check_failure(&[
+        "error[SML0135]: `Tight` cannot be told from `Closes`",
+        "--> specs/cell.plant:9:15",
+        "exit status: 1",
+    ]);
+
+    package.write("specs/cell.plant", &CLAMP.replace("input Open", "input Spare, Open"))?;
+    package.edit("build.rs", "compile(\"", "Build::new().deny_warnings().compile(\"");
+    package.check_failure(&["nothing uses the input `Spare`", "this warning is denied"]);
     Ok(())
 }
 
