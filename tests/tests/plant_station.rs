@@ -18,7 +18,7 @@ use synth_core::emit::st::{self, Target};
 use synth_core::explore::Limits;
 use synth_core::logic::{Expr, Literal};
 use synth_core::pipeline::Timings;
-use synth_core::plant::{DontCare, Options, pipeline};
+use synth_core::plant::{DontCare, Options, Plant, pipeline, supervise};
 use synth_core::{plant, syntax::FileId};
 
 const PLANT: &str = include_str!("../../examples/distribution-station/specs/distribution_station.plant");
@@ -28,6 +28,17 @@ fn plan(options: Options) -> Plan {
     assert_eq!(warnings, []);
     let supervised = pipeline::control(&plant, &Limits::default(), options, &mut Timings::default());
     Plan::new(supervised.expect("a controller").feedback.program, plant.events)
+}
+
+/// The example says more in words, and the same otherwise.
+#[test]
+fn the_plant_is_that_of_the_corpus() {
+    let read = |text| plant::read(text, FileId(0)).expect("a plant").0;
+    let [example, corpus] = [PLANT, include_str!("../plants/distribution_station.plant")].map(read);
+    let closed = |plant| supervise(plant, &Limits::default()).expect("a feedback");
+    assert_eq!(closed(&example), closed(&corpus));
+    let names = |plant: &Plant| plant.signals.iter().map(|signal| signal.name.clone()).collect::<Vec<_>>();
+    assert_eq!(names(&example), names(&corpus));
 }
 
 /// What is known before a scan, by the names of the plant.

@@ -82,3 +82,28 @@ fn advise_inline(diagnostic: Diagnostic) -> Diagnostic {
     Diagnostic { message: "the macro contains no plant".to_owned(), ..diagnostic }
         .help("write `plant Name { … }` here, or the path of a file as a string")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Expander, Options, inline};
+    use proc_macro2::TokenStream;
+
+    #[test]
+    fn an_editor_waits_for_fewer_states() {
+        let lamps: String = (0..14)
+            .map(|i| {
+                format!(
+                    "output Y{i} controllable on{i} {{ set Y{i} }} controllable off{i} {{ reset Y{i} }} automaton Lamp{i} {{ \
+                     initial state Off [!Y{i}] {{ on{i} -> On }} state On [Y{i}] {{ off{i} -> Off }} }} "
+                )
+            })
+            .collect();
+        let tokens: TokenStream = format!("plant Lamps {{ {lamps} }}").parse().expect("tokens");
+        let shown = inline(&tokens, Options::default(), Expander::Editor).to_string();
+        for part in
+            ["the limit of 10000 states was reached", "goes on to 100000", "compile(\\\"cell.plant\\\")"]
+        {
+            assert!(shown.contains(part), "{part}: {shown}");
+        }
+    }
+}
