@@ -3,7 +3,7 @@
 //! | target | where |
 //! |---|---|
 //! | ladder as text and as a drawing | [`ladder`] |
-//! | ladder as PLCopen XML | [`st::plcopen::ladder`](crate::emit::st::plcopen::ladder), with the feature `plcopen` |
+//! | ladder as PLCopen XML | `st::plcopen::ladder`, with the feature `plcopen` |
 //! | instruction list | [`list`] |
 //! | Structured Text | [`st::scan`](crate::emit::st::scan) |
 //! | Rust | [`rust::scan`](crate::emit::rust::scan) |

@@ -10,10 +10,10 @@
 //! A machine that is seen idle with the bits of a working one has finished. This often saves bits: a place in a buffer may be
 //! taken when the machine that will fill it is started, instead of when it is seen to have finished.
 //!
-//! Each automaton that is needed at all ([`needed`]) gets bits of its own, as few as possible, named after it: bits shared by
-//! several could be fewer now and then, but nobody could read them. Per automaton: [`local`] projects the closed loop to the
-//! automaton and the components around it, [`merge`] unites what need not be told apart, [`seen`] says what is concluded from
-//! what, [`color`] gives codes.
+//! Each automaton that is needed at all (`needed`) gets bits of its own, as few as possible, named after it: bits shared by
+//! several could be fewer now and then, but nobody could read them. Per automaton: `local` projects the closed loop to the
+//! automaton and the components around it, `merge` unites what need not be told apart, `seen` says what is concluded from
+//! what, `color` gives codes.
 
 mod color;
 mod local;
