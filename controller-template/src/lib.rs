@@ -13,7 +13,7 @@
 //!
 //! | Item | What it is |
 //! |---|---|
-//! | [`Mapping`] | two columns, ascending sources and their targets, searched without branches |
+//! | [`Mappings`] | the published tables of several mapping functions, ascending sources and their targets, searched |
 //! | [`Runs`] | several mapping functions over runs of consecutive states: the smallest |
 //! | [`Comb`] | all mapping functions interlocked in one array: the fastest |
 //! | [`Span`] | a mapping function over consecutive states |
@@ -33,7 +33,7 @@ mod bits;
 mod column;
 mod comb;
 mod machine;
-mod mapping;
+mod mappings;
 mod runs;
 mod span;
 
@@ -41,7 +41,7 @@ pub use bits::{Bits, Ones};
 pub use column::{Column, Number, Packed};
 pub use comb::Comb;
 pub use machine::{CommandSet, Machine, Observer, Tables};
-pub use mapping::Mapping;
+pub use mappings::Mappings;
 pub use runs::Runs;
 pub use span::Span;
 

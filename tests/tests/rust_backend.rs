@@ -391,7 +391,7 @@ fn small_tables_are_arrays_and_large_ones_bytes() {
     let size = Size { states: 300, events: 2, rows: 50, components: 1 };
     let options = Options { engine: Engine::Search, ..Options::default() };
     let small = text(&tables::random("small", size, 1), &options);
-    assert!(small.contains("Mapping<[u16; ") && !small.contains("Packed"), "{small}");
+    assert!(small.contains("Mappings<[u16; 4], [u16; ") && !small.contains("Packed"), "{small}");
     let large = text(&tables::random("large", Size { states: 30_000, ..size }, 1), &options);
     assert!(large.contains("Packed<u16, ") && !large.contains("; 1]"), "arrays beside byte strings");
     for text in [small, large] {

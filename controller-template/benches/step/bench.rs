@@ -425,7 +425,7 @@ pub mod bench {
         fn super_step(
             state: Self::State,
         ) -> ::core::option::Option<(Self::State, Commands)> {
-            let step = SUPER_STEPS.row(state)?;
+            let (step, target) = SUPER_STEPS.row(0, state)?;
             let row = ::controller_template::Column::index(&COMMAND_SET, step)?;
             let commands = Commands {
                 c0: C0Command::from_code(
@@ -438,7 +438,10 @@ pub mod bench {
                     ::controller_template::Column::get(&C2_TARGET, row)?,
                 ),
             };
-            ::core::option::Option::Some((SUPER_STEPS.target(step)?, commands))
+            ::core::option::Option::Some((
+                ::core::option::Option::Some(target)?,
+                commands,
+            ))
         }
     }
 
@@ -537,8 +540,9 @@ pub mod bench {
     };
 
     /// Super steps.
-    static SUPER_STEPS: ::controller_template::Mapping<[u8; 60]> = ::controller_template::Mapping::new(
-        [
+    static SUPER_STEPS: ::controller_template::Mappings<[u8; 2], [u8; 60]> = ::controller_template::Mappings {
+        first: [0, 60],
+        source: [
               0,   2,   3,   4,   6,   8,   9,  11,  14,  16,
              17,  20,  22,  23,  27,  28,  30,  33,  34,  35,
              37,  42,  44,  54,  59,  60,  62,  66,  68,  71,
@@ -546,7 +550,7 @@ pub mod bench {
             102, 103, 107, 108, 109, 110, 112, 115, 116, 117,
             119, 121, 125, 126, 128, 129, 130, 141, 145, 148,
         ],
-        [
+        target: [
              74,  81, 120,  95,  21,  77,  72, 126,  67,  36,
              68,  29, 115,  86,  47, 132,  48, 141,  44, 144,
             111, 116,  54, 114, 116, 111, 126, 124,  97,  99,
@@ -554,7 +558,7 @@ pub mod bench {
             141, 106, 141, 116, 132, 114, 146, 123, 148, 118,
             129, 148, 127, 144, 137, 130, 133, 146, 147, 149,
         ],
-    );
+    };
 
     /// Per super step which commands it has.
     static COMMAND_SET: [u8; 60] = [

@@ -40,7 +40,7 @@ pub struct Options {
 #[must_use]
 pub fn module(tables: &Tables, options: &Options) -> TokenStream {
     let idents = Idents::new(tables);
-    let rows = engine::rows(options.engine, tables, &idents);
+    let rows = engine::rows(options.engine, tables);
     let items = items(tables, &idents, options, &*rows);
     let names = names(tables, &idents);
     wrap(
@@ -63,7 +63,7 @@ pub fn text(tables: &Tables, options: &Options) -> String {
     // The formatter does not look into macros: to it, the names are a module.
     const STAND_IN: &str = "mod names_stand_in {";
     let idents = Idents::new(tables);
-    let rows = engine::rows(options.engine, tables, &idents);
+    let rows = engine::rows(options.engine, tables);
     let items = items(tables, &idents, options, &*rows);
     let names = names(tables, &idents);
     let module = wrap(
@@ -100,7 +100,7 @@ pub fn name_map(tables: &Tables) -> NameMap {
         program: module.to_string(),
         state: "state".to_owned(),
         owed: "owed".to_owned(),
-        events: inputs.map(|(table, names)| (table.event.text.clone(), names.variant.to_string())).collect(),
+        events: inputs.map(|(table, name)| (table.event.text.clone(), name.to_string())).collect(),
         components: outputs
             .map(|(table, names)| ComponentNames {
                 object: table.object.clone(),
@@ -131,7 +131,7 @@ fn items(tables: &Tables, idents: &Idents, options: &Options, rows: &dyn Rows) -
 /// Bytes of flash of the tables in [`module`], but for what is owed.
 #[must_use]
 pub fn bytes(tables: &Tables, options: &Options) -> usize {
-    engine::bytes(&*engine::rows(options.engine, tables, &Idents::new(tables)))
+    engine::bytes(&*engine::rows(options.engine, tables))
 }
 
 fn names(tables: &Tables, idents: &Idents) -> TokenStream {

@@ -7,9 +7,10 @@ use quote::quote;
 
 use super::super::columns::{Column, Layout, Width, number};
 use super::super::commands::code_width;
+use super::search::Mappings;
 use super::{Rows, searched};
 use crate::controller::comb;
-use crate::controller::tables::{Mapping, Tables};
+use crate::controller::tables::Tables;
 
 /// The columns of the runtime's `Comb`, and of the super steps.
 pub(super) struct Comb {
@@ -27,8 +28,8 @@ pub(super) struct Comb {
 enum SuperSteps {
     /// Of consecutive states from the first on: targets.
     Span(u32, Column),
-    /// Of any states: sources and targets.
-    Mapping(Column, Column),
+    /// Of any states: searched.
+    Mapping(Mappings),
 }
 
 impl Comb {
@@ -42,7 +43,7 @@ impl Comb {
             displacement: Column::narrow(packed.displacement),
             check: Column::narrow(packed.check),
             target: Column::new(states, packed.target),
-            super_steps: SuperSteps::new(states, &tables.super_steps),
+            super_steps: SuperSteps::new(tables),
             command_set: Column::narrow(set_of),
             codes: codes
                 .map(|(c, table)| Column::new(code_width(table), sets.iter().map(|set| set[c]).collect()))
@@ -60,21 +61,23 @@ impl Comb {
 }
 
 impl SuperSteps {
-    fn new(states: Width, mapping: &Mapping) -> SuperSteps {
-        let target = Column::new(states, mapping.target.clone());
+    fn new(tables: &Tables) -> SuperSteps {
+        let mapping = &tables.super_steps;
+        let span = |first| {
+            let states = Width::of(tables.states.saturating_sub(1));
+            SuperSteps::Span(first, Column::new(states, mapping.target.clone()))
+        };
         match mapping.source[..] {
-            [first, .., last] if (last - first) as usize + 1 == mapping.source.len() => {
-                SuperSteps::Span(first, target)
-            }
-            [first] => SuperSteps::Span(first, target),
-            _ => SuperSteps::Mapping(Column::new(states, mapping.source.clone()), target),
+            [first, .., last] if (last - first) as usize + 1 == mapping.source.len() => span(first),
+            [first] => span(first),
+            _ => SuperSteps::Mapping(Mappings::new(tables.states, [mapping].into_iter())),
         }
     }
 
     fn columns(&self) -> Vec<&Column> {
         match self {
             SuperSteps::Span(_, target) => vec![target],
-            SuperSteps::Mapping(source, target) => vec![source, target],
+            SuperSteps::Mapping(mapping) => mapping.columns().into(),
         }
     }
 
@@ -87,13 +90,7 @@ impl SuperSteps {
                     quote!(::controller_template::Span::new(#first, #target)),
                 )
             }
-            SuperSteps::Mapping(source, target) => {
-                let (ty, source, target) = (source.ty(layout), source.value(layout), target.value(layout));
-                (
-                    quote!(::controller_template::Mapping<#ty>),
-                    quote!(::controller_template::Mapping::new(#source, #target)),
-                )
-            }
+            SuperSteps::Mapping(mapping) => mapping.item(layout),
         };
         quote! {
             /// Super steps.
@@ -127,7 +124,7 @@ impl Rows for Comb {
     fn probes(&self) -> (u32, u32) {
         let super_step = match &self.super_steps {
             SuperSteps::Span(..) => 0,
-            SuperSteps::Mapping(source, _) => searched(source.numbers().len()),
+            SuperSteps::Mapping(_) => searched(self.command_set.numbers().len()),
         };
         (u32::from(self.has_rows()), super_step)
     }
@@ -139,7 +136,18 @@ impl Rows for Comb {
     fn super_step(&self) -> (TokenStream, TokenStream) {
         let commands = (!self.codes.is_empty())
             .then(|| quote!(let row = ::controller_template::Column::index(&COMMAND_SET, step)?;));
-        (quote!(let step = SUPER_STEPS.row(state)?; #commands), quote!(SUPER_STEPS.target(step)))
+        match &self.super_steps {
+            SuperSteps::Span(..) => {
+                (quote!(let step = SUPER_STEPS.row(state)?; #commands), quote!(SUPER_STEPS.target(step)))
+            }
+            SuperSteps::Mapping(_) => {
+                let step = if self.codes.is_empty() { quote!(_) } else { quote!(step) };
+                (
+                    quote!(let (#step, target) = SUPER_STEPS.row(0, state)?; #commands),
+                    quote!(::core::option::Option::Some(target)),
+                )
+            }
+        }
     }
 
     fn codes(&self) -> &[Column] {
