@@ -29,6 +29,12 @@ impl<D: Column, C: Column, T: Column> Comb<D, C, T> {
         let place = self.displacement.index(state)?.wrapping_add(event);
         if self.check.index(place)? == event { self.target.get(place) } else { None }
     }
+
+    /// The same as an index into another column.
+    #[inline]
+    pub fn index(&self, event: usize, state: impl Number) -> Option<usize> {
+        self.lookup(event, state).map(|target| target.into() as usize)
+    }
 }
 
 #[cfg(test)]

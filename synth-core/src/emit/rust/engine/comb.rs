@@ -7,8 +7,7 @@ use quote::quote;
 
 use super::super::columns::{Column, Layout, Width, number};
 use super::super::commands::code_width;
-use super::search::Mappings;
-use super::{Rows, searched};
+use super::Rows;
 use crate::controller::comb;
 use crate::controller::tables::Tables;
 
@@ -18,18 +17,15 @@ pub(super) struct Comb {
     displacement: Column,
     check: Column,
     target: Column,
-    super_steps: SuperSteps,
+    /// The state of the first super step, if they are of consecutive states.
+    first_step: Option<u32>,
+    /// The number of events.
+    events: u32,
+    /// Per super step.
+    step_target: Column,
     /// Per super step the number of its commands in `codes`.
     command_set: Column,
     codes: Vec<Column>,
-}
-
-/// Super steps, found by their states.
-enum SuperSteps {
-    /// Of consecutive states from the first on: targets.
-    Span(u32, Column),
-    /// Of any states: searched.
-    Mapping(Mappings),
 }
 
 impl Comb {
@@ -43,7 +39,9 @@ impl Comb {
             displacement: Column::narrow(packed.displacement),
             check: Column::narrow(packed.check),
             target: Column::new(states, packed.target),
-            super_steps: SuperSteps::new(tables),
+            first_step: packed.super_steps,
+            events: tables.events.len() as u32,
+            step_target: Column::new(states, tables.super_steps.target.clone()),
             command_set: Column::narrow(set_of),
             codes: codes
                 .map(|(c, table)| Column::new(code_width(table), sets.iter().map(|set| set[c]).collect()))
@@ -58,42 +56,22 @@ impl Comb {
     fn has_rows(&self) -> bool {
         !self.check.numbers().is_empty()
     }
-}
 
-impl SuperSteps {
-    fn new(tables: &Tables) -> SuperSteps {
-        let mapping = &tables.super_steps;
-        let span = |first| {
-            let states = Width::of(tables.states.saturating_sub(1));
-            SuperSteps::Span(first, Column::new(states, mapping.target.clone()))
-        };
-        match mapping.source[..] {
-            [first, .., last] if (last - first) as usize + 1 == mapping.source.len() => span(first),
-            [first] => span(first),
-            _ => SuperSteps::Mapping(Mappings::new(tables.states, [mapping].into_iter())),
-        }
-    }
-
-    fn columns(&self) -> Vec<&Column> {
-        match self {
-            SuperSteps::Span(_, target) => vec![target],
-            SuperSteps::Mapping(mapping) => mapping.columns().into(),
-        }
-    }
-
-    fn item(&self, layout: Layout) -> TokenStream {
-        let (ty, value) = match self {
-            SuperSteps::Span(first, target) => {
-                let (ty, target, first) = (target.ty(layout), target.value(layout), number(*first));
+    /// The targets of super steps.
+    fn steps(&self, layout: Layout) -> TokenStream {
+        let (ty, target) = (self.step_target.ty(layout), self.step_target.value(layout));
+        let (ty, value) = match self.first_step {
+            Some(first) => {
+                let first = number(first);
                 (
                     quote!(::controller_template::Span<#ty>),
                     quote!(::controller_template::Span::new(#first, #target)),
                 )
             }
-            SuperSteps::Mapping(mapping) => mapping.item(layout),
+            None => (ty, target),
         };
         quote! {
-            /// Super steps.
+            /// Targets of super steps.
             static SUPER_STEPS: #ty = #value;
         }
     }
@@ -116,17 +94,11 @@ fn command_sets(tables: &Tables) -> (Vec<Vec<u32>>, Vec<u32>) {
 
 impl Rows for Comb {
     fn columns(&self) -> Vec<&Column> {
-        let mut columns = vec![&self.displacement, &self.check, &self.target, &self.command_set];
-        columns.extend(self.super_steps.columns());
-        columns
+        vec![&self.displacement, &self.check, &self.target, &self.command_set, &self.step_target]
     }
 
     fn probes(&self) -> (u32, u32) {
-        let super_step = match &self.super_steps {
-            SuperSteps::Span(..) => 0,
-            SuperSteps::Mapping(_) => searched(self.command_set.numbers().len()),
-        };
-        (u32::from(self.has_rows()), super_step)
+        (u32::from(self.has_rows()), u32::from(self.first_step.is_none()))
     }
 
     fn environment(&self) -> TokenStream {
@@ -136,15 +108,15 @@ impl Rows for Comb {
     fn super_step(&self) -> (TokenStream, TokenStream) {
         let commands = (!self.codes.is_empty())
             .then(|| quote!(let row = ::controller_template::Column::index(&COMMAND_SET, step)?;));
-        match &self.super_steps {
-            SuperSteps::Span(..) => {
+        match self.first_step {
+            Some(_) => {
                 (quote!(let step = SUPER_STEPS.row(state)?; #commands), quote!(SUPER_STEPS.target(step)))
             }
-            SuperSteps::Mapping(_) => {
-                let step = if self.codes.is_empty() { quote!(_) } else { quote!(step) };
+            None => {
+                let event = number(self.events);
                 (
-                    quote!(let (#step, target) = SUPER_STEPS.row(0, state)?; #commands),
-                    quote!(::core::option::Option::Some(target)),
+                    quote!(let step = COMB.index(#event, state)?; #commands),
+                    quote!(::controller_template::Column::get(&SUPER_STEPS, step)),
                 )
             }
         }
@@ -170,7 +142,7 @@ impl Rows for Comb {
                 };
             }
         });
-        let steps = self.has_steps().then(|| self.super_steps.item(layout));
+        let steps = self.has_steps().then(|| self.steps(layout));
         let commands = (self.has_steps() && !self.codes.is_empty()).then(|| {
             let (ty, value) = (self.command_set.ty(layout), self.command_set.value(layout));
             quote! {

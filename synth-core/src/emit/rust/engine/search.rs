@@ -17,7 +17,7 @@ pub(super) struct Search {
 }
 
 /// Several mapping functions in three columns.
-pub(super) struct Mappings {
+struct Mappings {
     first: Column,
     source: Column,
     target: Column,
@@ -25,7 +25,7 @@ pub(super) struct Mappings {
 
 impl Mappings {
     /// One behind the other; the states are `0..states`.
-    pub(super) fn new<'m>(states: u32, mappings: impl Iterator<Item = &'m Mapping>) -> Mappings {
+    fn new<'m>(states: u32, mappings: impl Iterator<Item = &'m Mapping>) -> Mappings {
         let states = Width::of(states.saturating_sub(1));
         let mut first = vec![0];
         let (mut source, mut target) = (Vec::new(), Vec::new());
@@ -41,12 +41,12 @@ impl Mappings {
         }
     }
 
-    pub(super) fn columns(&self) -> [&Column; 3] {
+    fn columns(&self) -> [&Column; 3] {
         [&self.first, &self.source, &self.target]
     }
 
     /// Type and value.
-    pub(super) fn item(&self, layout: Layout) -> (TokenStream, TokenStream) {
+    fn item(&self, layout: Layout) -> (TokenStream, TokenStream) {
         let (first_ty, ty) = (self.first.ty(layout), self.source.ty(layout));
         let [first, source, target] = self.columns().map(|column| column.value(layout));
         (
