@@ -56,6 +56,9 @@ pub trait Column {
     /// Where `number` is among `rows`, which ascend strictly; counted from the column's first.
     fn position(&self, rows: Range<usize>, number: Self::Number) -> Option<usize>;
 
+    /// The last of `rows`, which ascend, that is not above `number`. If all are above, the first or none.
+    fn floor(&self, rows: Range<usize>, number: Self::Number) -> Option<usize>;
+
     /// The number at `index` as an index into another column.
     #[inline]
     fn index(&self, index: usize) -> Option<usize> {
@@ -78,7 +81,16 @@ impl<T: Number, const N: usize> Column for [T; N] {
         if cfg!(target_pointer_width = "64") {
             position_fast(self, rows, number)
         } else {
-            position_small(self, rows, number)
+            search_small(self, rows, number).ok()
+        }
+    }
+
+    #[inline]
+    fn floor(&self, rows: Range<usize>, number: T) -> Option<usize> {
+        if cfg!(target_pointer_width = "64") {
+            search(rows, number, |index| Column::get(self, index))
+        } else {
+            search_small(self, rows, number).or_else(|above| above.checked_sub(1).ok_or(0)).ok()
         }
     }
 }
@@ -122,44 +134,52 @@ impl<T: Number, const B: usize> Column for Packed<T, B> {
     fn position(&self, rows: Range<usize>, number: T) -> Option<usize> {
         position_in(&self.bytes, rows, number)
     }
+
+    #[inline]
+    fn floor(&self, rows: Range<usize>, number: T) -> Option<usize> {
+        search(rows, number, |index| T::read(&self.bytes, index))
+    }
 }
 
 /// For arrays of any length and processors that guess where a branch leads, see [`search`].
 #[inline(never)]
 fn position_fast<T: Number>(column: &[T], rows: Range<usize>, number: T) -> Option<usize> {
-    search(rows, number, |index| column.get(index).copied())
+    search(rows, number, |index| column.get(index).copied()).filter(|&row| column.get(row) == Some(&number))
 }
 
 /// For processors that execute one instruction after the other from little flash: ten to seventeen instructions a probe,
 /// in as few bytes as can be. To be part of its caller, which knows the length and where the column is.
 ///
+/// Where `number` is, or else the first row above it; never a row that is not there.
+///
 /// The order of the comparisons decides what compilers make of it: Thumb code of 76 to 88 bytes with the target's access,
 /// against 82 to 124 if equality is asked first.
 #[inline(always)]
-fn position_small<T: Number>(column: &[T], rows: Range<usize>, number: T) -> Option<usize> {
+fn search_small<T: Number>(column: &[T], rows: Range<usize>, number: T) -> Result<usize, usize> {
     let Range { mut start, mut end } = rows;
     while start < end {
         let middle = start.wrapping_add(end) / 2;
-        let found = *column.get(middle)?;
+        let Some(&found) = column.get(middle) else { break };
         if found < number {
             start = middle + 1;
             continue;
         }
         if found == number {
-            return Some(middle);
+            return Ok(middle);
         }
         end = middle;
     }
-    None
+    Err(start)
 }
 
 /// One function for byte strings of any length: large tables wait for memory, not for instructions.
 #[inline(never)]
 fn position_in<T: Number>(bytes: &[u8], rows: Range<usize>, number: T) -> Option<usize> {
-    search(rows, number, |index| T::read(bytes, index))
+    search(rows, number, |index| T::read(bytes, index)).filter(|&row| T::read(bytes, row) == Some(number))
 }
 
-/// Binary search of rows that ascend strictly, without a branch that depends on them.
+/// Binary search of rows that ascend, without a branch that depends on them: the last that is not above `number`, or the
+/// first.
 ///
 /// It keeps or moves its base instead of branching, so that the compiler selects by conditional moves: where a branch is
 /// guessed wrong every other time, it takes five times as long from a few thousand rows on. It must be in a function
@@ -175,7 +195,7 @@ fn search<T: Number>(rows: Range<usize>, number: T, get: impl Fn(usize) -> Optio
         base = if get(middle)? <= number { middle } else { base };
         rest -= half;
     }
-    (rest == 1 && get(base)? == number).then_some(base)
+    (rest == 1).then_some(base)
 }
 
 #[cfg(test)]
@@ -190,7 +210,7 @@ mod tests {
             for end in 0..=41 {
                 for number in 0..=121 {
                     let fast = position_fast(&column, start..end, number);
-                    let small = position_small(&column, start..end, number);
+                    let small = search_small(&column, start..end, number).ok();
                     let expected = (number % 3 == 0).then_some(usize::from(number / 3));
                     let expected = expected.filter(|row| (start..end.min(40)).contains(row));
                     if end <= 40 {

@@ -47,18 +47,11 @@ where
     pub fn row(&self, mapping: usize, state: S::Number) -> Option<(usize, u32)> {
         let first = self.first.get(mapping)?.into() as usize;
         let end = self.first.get(mapping.checked_add(1)?)?.into() as usize;
-        let mut run = first;
-        let mut rest = end.saturating_sub(first);
-        while rest > 1 {
-            let half = rest / 2;
-            let middle = run + half;
-            run = if self.state.get(middle)? <= state { middle } else { run };
-            rest -= half;
-        }
+        let run = self.state.floor(first..end, state)?;
         let further = state.into().checked_sub(self.state.get(run)?.into())?;
         let before = if run == first { 0 } else { self.end.get(run - 1)?.into() };
         let row = before.checked_add(further)?;
-        (rest == 1 && row < self.end.get(run)?.into()).then_some((run - first, row))
+        (row < self.end.get(run)?.into()).then_some((run.checked_sub(first)?, row))
     }
 
     /// The target of a row.

@@ -4,6 +4,7 @@
 pub mod beside;
 pub mod corpus;
 pub mod fast;
+pub mod line;
 pub mod naive;
 pub mod published;
 pub mod random;
