@@ -3,6 +3,8 @@
 use core::marker::PhantomData;
 use core::ops::Range;
 
+use crate::probes::{PREDICTS, probe};
+
 mod sealed {
     pub trait Sealed {}
 }
@@ -78,16 +80,12 @@ impl<T: Number, const N: usize> Column for [T; N] {
 
     #[inline]
     fn position(&self, rows: Range<usize>, number: T) -> Option<usize> {
-        if cfg!(target_pointer_width = "64") {
-            position_fast(self, rows, number)
-        } else {
-            search_small(self, rows, number).ok()
-        }
+        if PREDICTS { position_fast(self, rows, number) } else { search_small(self, rows, number).ok() }
     }
 
     #[inline]
     fn floor(&self, rows: Range<usize>, number: T) -> Option<usize> {
-        if cfg!(target_pointer_width = "64") {
+        if PREDICTS {
             search(rows, number, |index| Column::get(self, index))
         } else {
             search_small(self, rows, number).or_else(|above| above.checked_sub(1).ok_or(0)).ok()
@@ -144,7 +142,10 @@ impl<T: Number, const B: usize> Column for Packed<T, B> {
 /// For arrays of any length and processors that guess where a branch leads, see [`search`].
 #[inline(never)]
 fn position_fast<T: Number>(column: &[T], rows: Range<usize>, number: T) -> Option<usize> {
-    search(rows, number, |index| column.get(index).copied()).filter(|&row| column.get(row) == Some(&number))
+    search(rows, number, |index| column.get(index).copied()).filter(|&row| {
+        probe();
+        column.get(row) == Some(&number)
+    })
 }
 
 /// For processors that execute one instruction after the other from little flash: ten to seventeen instructions a probe,
@@ -160,6 +161,7 @@ fn search_small<T: Number>(column: &[T], rows: Range<usize>, number: T) -> Resul
     while start < end {
         let middle = start.wrapping_add(end) / 2;
         let Some(&found) = column.get(middle) else { break };
+        probe();
         if found < number {
             start = middle + 1;
             continue;
@@ -175,7 +177,10 @@ fn search_small<T: Number>(column: &[T], rows: Range<usize>, number: T) -> Resul
 /// One function for byte strings of any length: large tables wait for memory, not for instructions.
 #[inline(never)]
 fn position_in<T: Number>(bytes: &[u8], rows: Range<usize>, number: T) -> Option<usize> {
-    search(rows, number, |index| T::read(bytes, index)).filter(|&row| T::read(bytes, row) == Some(number))
+    search(rows, number, |index| T::read(bytes, index)).filter(|&row| {
+        probe();
+        T::read(bytes, row) == Some(number)
+    })
 }
 
 /// Binary search of rows that ascend, without a branch that depends on them: the last that is not above `number`, or the
@@ -192,6 +197,7 @@ fn search<T: Number>(rows: Range<usize>, number: T, get: impl Fn(usize) -> Optio
     while rest > 1 {
         let half = rest / 2;
         let middle = base + half;
+        probe();
         base = if get(middle)? <= number { middle } else { base };
         rest -= half;
     }

@@ -1,5 +1,6 @@
 //! Mapping functions over runs of consecutive states, with targets of as few bits as they need.
 
+use crate::probes::probe;
 use crate::{Column, Number};
 
 /// Several mapping functions in one.
@@ -48,10 +49,16 @@ where
         let first = self.first.get(mapping)?.into() as usize;
         let end = self.first.get(mapping.checked_add(1)?)?.into() as usize;
         let run = self.state.floor(first..end, state)?;
-        let further = state.into().checked_sub(self.state.get(run)?.into())?;
-        let before = if run == first { 0 } else { self.end.get(run - 1)?.into() };
+        // In front of them if the state is.
+        let nth = run.checked_sub(first)?;
+        let begin = self.state.get(run)?.into();
+        probe();
+        let further = state.into().checked_sub(begin)?;
+        let before = if nth == 0 { 0 } else { self.end.get(run - 1)?.into() };
         let row = before.checked_add(further)?;
-        (row < self.end.get(run)?.into()).then_some((run.checked_sub(first)?, row))
+        let end = self.end.get(run)?.into();
+        probe();
+        (row < end).then_some((nth, row))
     }
 
     /// The target of a row.

@@ -4,7 +4,7 @@
 ///
 /// 150 states, 7 environment events with 364 rows, 60 super steps.
 ///
-/// Looking up an event takes at most 1 probe of its table, a super step 1. A cycle looks up at most 28 events.
+/// Looking up an event takes at most 1 probe of its table, a super step 1. A cycle takes at most 29 probes.
 #[allow(dead_code, unreachable_pub, reason = "no program needs every item")]
 #[allow(
     clippy::disallowed_names,
@@ -23,17 +23,39 @@
     clippy::many_single_char_names,
     clippy::too_many_arguments,
     clippy::too_many_lines,
+    clippy::trivially_copy_pass_by_ref,
     clippy::type_complexity,
     reason = "sizes are the specification's"
 )]
 pub mod bench {
-    /// The controller: its state, and the events that are pending.
-    #[derive(Clone, PartialEq, Eq, Debug)]
-    pub struct Controller {
-        machine: ::controller_template::Machine<Tables, 1>,
+    ::controller_template::formatted! {
+        /// The controller: its state, and the events that are pending.
+        #[derive(Clone, PartialEq, Eq, Debug)]
+        pub struct Controller {
+            machine: ::controller_template::Machine<Tables, 1>,
+        }
     }
 
+    /// What a controller is to go on from after a reset.
+    pub type Saved = ::controller_template::Saved<1, 16>;
+
     impl Controller {
+        /// What tables are the same, in every language: [`restore`](Self::restore) refuses what others saved.
+        pub const TABLE_VERSION: u32 = 432_331_861;
+
+        /// The most probes of a look-up of an event, as in [`accepts`](Self::accepts). A probe is a comparison with an
+        /// entry of a table.
+        pub const ACCEPTS_PROBES: u32 = 1;
+
+        /// The most probes of a call of [`react`](Self::react).
+        pub const REACT_PROBES: u32 = 2;
+
+        /// The most probes of a call of [`cycle`](Self::cycle).
+        pub const CYCLE_PROBES: u32 = 29;
+
+        /// The most probes of a call of [`drain`](Self::drain).
+        pub const DRAIN_PROBES: u32 = 141;
+
         /// In the initial state, with nothing pending.
         #[must_use]
         pub const fn new() -> Self {
@@ -45,6 +67,28 @@ pub mod bench {
         /// Back to [`new`](Self::new).
         pub const fn reset(&mut self) {
             *self = Self::new();
+        }
+
+        /// What [`restore`](Self::restore) goes on from.
+        #[must_use]
+        pub fn save(&self) -> Saved {
+            self.machine.save()
+        }
+
+        /// As it was when it was saved. What the plant did meanwhile nobody knows.
+        ///
+        /// # Errors
+        ///
+        /// If other tables saved it, or no controller did.
+        pub fn restore(
+            saved: &Saved,
+        ) -> ::core::result::Result<Self, ::controller_template::RestoreError> {
+            match ::controller_template::Machine::restore(saved) {
+                ::core::result::Result::Ok(machine) => {
+                    ::core::result::Result::Ok(Self { machine })
+                }
+                ::core::result::Result::Err(error) => ::core::result::Result::Err(error),
+            }
         }
 
         /// Makes an event pending for the next cycle; `false` if it is already, and then once is all it counts.
@@ -137,24 +181,26 @@ pub mod bench {
         }
     }
 
-    /// Events of the environment, in table order.
-    #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-    #[repr(u8)]
-    pub enum Event {
-        /// `env -> ctl.e0000()`
-        EnvCtlE0000,
-        /// `env -> ctl.e0001()`
-        EnvCtlE0001,
-        /// `env -> ctl.e0002()`
-        EnvCtlE0002,
-        /// `env -> ctl.e0003()`
-        EnvCtlE0003,
-        /// `env -> ctl.e0004()`
-        EnvCtlE0004,
-        /// `env -> ctl.e0005()`
-        EnvCtlE0005,
-        /// `env -> ctl.e0006()`
-        EnvCtlE0006,
+    ::controller_template::formatted! {
+        /// Events of the environment, in table order.
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        #[repr(u8)]
+        pub enum Event {
+            /// `env -> ctl.e0000()`
+            EnvCtlE0000,
+            /// `env -> ctl.e0001()`
+            EnvCtlE0001,
+            /// `env -> ctl.e0002()`
+            EnvCtlE0002,
+            /// `env -> ctl.e0003()`
+            EnvCtlE0003,
+            /// `env -> ctl.e0004()`
+            EnvCtlE0004,
+            /// `env -> ctl.e0005()`
+            EnvCtlE0005,
+            /// `env -> ctl.e0006()`
+            EnvCtlE0006,
+        }
     }
 
     impl Event {
@@ -177,16 +223,18 @@ pub mod bench {
         Event::EnvCtlE0006,
     ];
 
-    /// Commands to `c0`.
-    #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-    #[repr(u8)]
-    pub enum C0Command {
-        /// `ctl -> c0.go()`
-        Go = 1,
-        /// `ctl -> c0.stop()`
-        Stop = 2,
-        /// `ctl -> c0.turn(1)`
-        Turn1 = 3,
+    ::controller_template::formatted! {
+        /// Commands to `c0`.
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        #[repr(u8)]
+        pub enum C0Command {
+            /// `ctl -> c0.go()`
+            Go = 1,
+            /// `ctl -> c0.stop()`
+            Stop = 2,
+            /// `ctl -> c0.turn(1)`
+            Turn1 = 3,
+        }
     }
 
     impl C0Command {
@@ -217,16 +265,18 @@ pub mod bench {
         }
     }
 
-    /// Commands to `c1`.
-    #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-    #[repr(u8)]
-    pub enum C1Command {
-        /// `ctl -> c1.go()`
-        Go = 1,
-        /// `ctl -> c1.stop()`
-        Stop = 2,
-        /// `ctl -> c1.turn(1)`
-        Turn1 = 3,
+    ::controller_template::formatted! {
+        /// Commands to `c1`.
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        #[repr(u8)]
+        pub enum C1Command {
+            /// `ctl -> c1.go()`
+            Go = 1,
+            /// `ctl -> c1.stop()`
+            Stop = 2,
+            /// `ctl -> c1.turn(1)`
+            Turn1 = 3,
+        }
     }
 
     impl C1Command {
@@ -257,16 +307,18 @@ pub mod bench {
         }
     }
 
-    /// Commands to `c2`.
-    #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-    #[repr(u8)]
-    pub enum C2Command {
-        /// `ctl -> c2.go()`
-        Go = 1,
-        /// `ctl -> c2.stop()`
-        Stop = 2,
-        /// `ctl -> c2.turn(1)`
-        Turn1 = 3,
+    ::controller_template::formatted! {
+        /// Commands to `c2`.
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        #[repr(u8)]
+        pub enum C2Command {
+            /// `ctl -> c2.go()`
+            Go = 1,
+            /// `ctl -> c2.stop()`
+            Stop = 2,
+            /// `ctl -> c2.turn(1)`
+            Turn1 = 3,
+        }
     }
 
     impl C2Command {
@@ -297,16 +349,18 @@ pub mod bench {
         }
     }
 
-    /// What one call commands: at most one command to each component.
-    #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
-    #[must_use = "a command that is not carried out is lost"]
-    pub struct Commands {
-        /// To `c0`.
-        pub c0: ::core::option::Option<C0Command>,
-        /// To `c1`.
-        pub c1: ::core::option::Option<C1Command>,
-        /// To `c2`.
-        pub c2: ::core::option::Option<C2Command>,
+    ::controller_template::formatted! {
+        /// What one call commands: at most one command to each component.
+        #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+        #[must_use = "a command that is not carried out is lost"]
+        pub struct Commands {
+            /// To `c0`.
+            pub c0: ::core::option::Option<C0Command>,
+            /// To `c1`.
+            pub c1: ::core::option::Option<C1Command>,
+            /// To `c2`.
+            pub c2: ::core::option::Option<C2Command>,
+        }
     }
 
     impl Commands {
@@ -404,6 +458,10 @@ pub mod bench {
         type Event = Event;
 
         type Commands = Commands;
+
+        const VERSION: u32 = Controller::TABLE_VERSION;
+
+        const STATES: u32 = 150;
 
         const INITIAL: u8 = 120;
 
@@ -626,6 +684,16 @@ pub mod bench {
         }
 
         impl C0Command {
+            /// The command with a text.
+            #[must_use]
+            pub fn from_text(text: &str) -> ::core::option::Option<Self> {
+                match text {
+                    "ctl -> c0.go()" => ::core::option::Option::Some(Self::Go),
+                    "ctl -> c0.stop()" => ::core::option::Option::Some(Self::Stop),
+                    "ctl -> c0.turn(1)" => ::core::option::Option::Some(Self::Turn1),
+                    _ => ::core::option::Option::None,
+                }
+            }
             /// `sender -> receiver.operation(arguments)`.
             #[must_use]
             pub const fn text(self) -> &'static str {
@@ -638,6 +706,16 @@ pub mod bench {
         }
 
         impl C1Command {
+            /// The command with a text.
+            #[must_use]
+            pub fn from_text(text: &str) -> ::core::option::Option<Self> {
+                match text {
+                    "ctl -> c1.go()" => ::core::option::Option::Some(Self::Go),
+                    "ctl -> c1.stop()" => ::core::option::Option::Some(Self::Stop),
+                    "ctl -> c1.turn(1)" => ::core::option::Option::Some(Self::Turn1),
+                    _ => ::core::option::Option::None,
+                }
+            }
             /// `sender -> receiver.operation(arguments)`.
             #[must_use]
             pub const fn text(self) -> &'static str {
@@ -650,6 +728,16 @@ pub mod bench {
         }
 
         impl C2Command {
+            /// The command with a text.
+            #[must_use]
+            pub fn from_text(text: &str) -> ::core::option::Option<Self> {
+                match text {
+                    "ctl -> c2.go()" => ::core::option::Option::Some(Self::Go),
+                    "ctl -> c2.stop()" => ::core::option::Option::Some(Self::Stop),
+                    "ctl -> c2.turn(1)" => ::core::option::Option::Some(Self::Turn1),
+                    _ => ::core::option::Option::None,
+                }
+            }
             /// `sender -> receiver.operation(arguments)`.
             #[must_use]
             pub const fn text(self) -> &'static str {
@@ -660,5 +748,21 @@ pub mod bench {
                 }
             }
         }
+    }
+
+    ::controller_template::serialized! {
+        struct Commands {
+            c0: C0Command,
+            c1: C1Command,
+            c2: C2Command,
+        }
+
+        struct Event;
+
+        struct C0Command;
+
+        struct C1Command;
+
+        struct C2Command;
     }
 }

@@ -21,11 +21,13 @@ pub(super) fn items(tables: &Tables, idents: &Idents) -> TokenStream {
         (quote!(#[repr(#repr)]), quote!(self as usize))
     };
     quote! {
-        /// Events of the environment, in table order.
-        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-        #repr
-        pub enum Event {
-            #(#[doc = #docs] #variants,)*
+        ::controller_template::formatted! {
+            /// Events of the environment, in table order.
+            #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+            #repr
+            pub enum Event {
+                #(#[doc = #docs] #variants,)*
+            }
         }
 
         impl Event {

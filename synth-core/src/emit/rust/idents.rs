@@ -117,7 +117,7 @@ fn snake_namer() -> Namer {
 
 /// Types of every generated module; `Self` is a keyword and `ALL` in no danger.
 fn is_own_type(name: &str) -> bool {
-    matches!(name, "Commands" | "Controller" | "Event" | "Self" | "Tables")
+    matches!(name, "Commands" | "Controller" | "Event" | "Saved" | "Self" | "Tables")
 }
 
 /// Statics of every generated module.
