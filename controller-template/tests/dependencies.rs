@@ -6,7 +6,18 @@ use std::process::Command;
 /// The direct dependencies with some features.
 fn dependencies(features: &str) -> BTreeSet<String> {
     let tree = Command::new(env!("CARGO"))
-        .args(["tree", "--offline", "--edges", "normal", "--prefix", "none", "--depth", "1", "--format", "{lib}"])
+        .args([
+            "tree",
+            "--offline",
+            "--edges",
+            "normal",
+            "--prefix",
+            "none",
+            "--depth",
+            "1",
+            "--format",
+            "{lib}",
+        ])
         .args(["--package", "controller-template", "--no-default-features", "--features", features])
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .output()

@@ -1,7 +1,8 @@
 //! What features bring to a generated module, each by itself and with the others.
 
-#[path = "../benches/step/bench.rs"]
-mod generated;
+mod generated {
+    include!("../benches/step/bench.rs");
+}
 
 use generated::bench::{Controller, Saved};
 
@@ -72,7 +73,8 @@ mod serde {
 
     #[test]
     fn what_is_no_event_of_these_is_refused() {
-        let error = serde_json::from_str::<Event>(r#""env -> ctl.gone()""#).expect_err("no event").to_string();
+        let error =
+            serde_json::from_str::<Event>(r#""env -> ctl.gone()""#).expect_err("no event").to_string();
         assert!(error.contains("`sender -> receiver.operation(arguments)`"), "{error}");
         assert!(serde_json::from_str::<Event>("3").is_err());
         assert!(serde_json::from_str::<C1Command>(r#""ctl -> c0.go()""#).is_err());

@@ -1,7 +1,8 @@
 //! Where a controller fits, and what it is for the compiler.
 
-#[path = "../benches/step/bench.rs"]
-mod generated;
+mod generated {
+    include!("../benches/step/bench.rs");
+}
 
 use std::sync::Mutex;
 

@@ -11,6 +11,14 @@ fn main() -> ! {
     let mut cell = cell::Controller::new();
     let mut line = line::Controller::new();
     loop {
+        let saved = black_box(cell.save().to_bytes());
+        black_box(
+            cell::Saved::from_bytes(&saved).and_then(|saved| cell::Controller::restore(&saved)).is_ok(),
+        );
+        let saved = black_box(line.save().to_bytes());
+        black_box(
+            line::Saved::from_bytes(&saved).and_then(|saved| line::Controller::restore(&saved)).is_ok(),
+        );
         call(&mut cell, black_box(cell::Event::FeedBeltControllerBlankArrived));
         call(&mut line, black_box(LINE));
         engines();

@@ -50,6 +50,11 @@ impl Folders {
         self.home.join("core")
     }
 
+    /// What belongs to an older compiler.
+    pub(crate) fn older(&self, version: &str) -> PathBuf {
+        self.home.join(format!("rust-{version}"))
+    }
+
     /// Cargo's target folder of the programs.
     pub(crate) fn build(&self) -> PathBuf {
         self.home.join("build")

@@ -1,19 +1,20 @@
 //! The firmware: built for microcontrollers, run in an emulator, measured, and compared with what is expected.
 
-mod apt;
+pub(crate) mod apt;
 mod core;
 mod count;
 mod disassembly;
 mod elf;
 mod emulator;
 mod figures;
-mod folders;
+pub(crate) mod folders;
 mod golden;
+mod hook;
 mod limits;
 mod panics;
 mod programs;
 pub(crate) mod target;
-mod toolchain;
+pub(crate) mod toolchain;
 
 use crate::failure::{Failure, Result};
 use crate::progress::Progress;
@@ -65,6 +66,7 @@ pub(crate) fn test(targets: &[&'static Target], bless: bool) -> Result<()> {
         for program in programs::ALL.iter().filter(|program| program.is_for(target)) {
             judge(program.name, bench.test(program));
         }
+        judge("observer costs", hook::compare(&folders, &toolchain, target));
         judge("panics", panics::prove(&folders, &toolchain).map(|()| "none can be reached".to_owned()));
     }
     if bless && failed == 0 {

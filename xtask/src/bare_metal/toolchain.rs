@@ -37,7 +37,11 @@ struct Tool {
 
 impl Unpacked {
     pub(crate) fn new(folders: &Folders) -> Self {
-        Unpacked { root: folders.root() }
+        Unpacked::at(folders.root())
+    }
+
+    pub(crate) fn at(root: PathBuf) -> Self {
+        Unpacked { root }
     }
 
     pub(crate) fn rustc(&self) -> PathBuf {
@@ -77,7 +81,9 @@ impl Tool {
 /// Cargo, without what it sets for the program that it runs.
 pub(crate) fn cargo() -> Command {
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo")));
-    for variable in ["RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "RUSTC", "RUSTC_WRAPPER", "CARGO_BUILD_TARGET"] {
+    let variables = ["RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "RUSTC", "RUSTC_WRAPPER", "CARGO_BUILD_TARGET"];
+    // Incremental compilation makes other code.
+    for variable in variables.into_iter().chain(["CARGO_INCREMENTAL"]) {
         cargo.env_remove(variable);
     }
     cargo
