@@ -48,27 +48,27 @@ mod serde {
 
     /// Written and read again as JSON and by postcard; returns the JSON and the number of bytes.
     #[track_caller]
-    fn check<T>(value: T) -> (String, usize)
+    fn check<T>(value: &T) -> (String, usize)
     where
         T: serde::Serialize + for<'de> serde::Deserialize<'de> + PartialEq + std::fmt::Debug,
     {
-        let json = serde_json::to_string(&value).expect("JSON");
-        assert_eq!(serde_json::from_str::<T>(&json).expect("its own"), value);
+        let json = serde_json::to_string(value).expect("JSON");
+        assert_eq!(serde_json::from_str::<T>(&json).expect("its own"), *value);
         let mut buffer = [0; 256];
-        let bytes = postcard::to_slice(&value, &mut buffer).expect("it fits");
-        assert_eq!(postcard::from_bytes::<T>(bytes).expect("its own"), value);
+        let bytes = postcard::to_slice(value, &mut buffer).expect("it fits");
+        assert_eq!(postcard::from_bytes::<T>(bytes).expect("its own"), *value);
         (json, bytes.len())
     }
 
     #[test]
     fn events_and_commands_are_their_texts_in_every_format() {
-        let (json, bytes) = check(Event::EnvCtlE0003);
+        let (json, bytes) = check(&Event::EnvCtlE0003);
         assert_eq!(json, r#""env -> ctl.e0003()""#);
         assert_eq!(bytes, 1 + "env -> ctl.e0003()".len());
-        assert_eq!(check(C0Command::Stop).0, r#""ctl -> c0.stop()""#);
+        assert_eq!(check(&C0Command::Stop).0, r#""ctl -> c0.stop()""#);
         let commands = Commands { c0: Some(C0Command::Go), c1: None, c2: None };
-        assert_eq!(check(commands).0, r#"{"c0":"ctl -> c0.go()","c1":null,"c2":null}"#);
-        let _ = check(Commands::default());
+        assert_eq!(check(&commands).0, r#"{"c0":"ctl -> c0.go()","c1":null,"c2":null}"#);
+        let _ = check(&Commands::default());
     }
 
     #[test]
@@ -85,7 +85,7 @@ mod serde {
     #[test]
     fn saved_states() {
         let saved = busy().save();
-        let (json, bytes) = check(saved);
+        let (json, bytes) = check(&saved);
         let expected = format!(
             r#"{{"table_version":{},"state":{},"pending":[{}]}}"#,
             saved.table_version(),

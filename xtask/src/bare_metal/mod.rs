@@ -11,6 +11,7 @@ pub(crate) mod folders;
 mod golden;
 mod hook;
 mod limits;
+mod log;
 mod panics;
 mod programs;
 pub(crate) mod target;
@@ -96,15 +97,19 @@ impl Bench<'_> {
         progress.tell(&format!("{}: running {}", self.target.triple, program.name));
         let run = emulator::run(self.toolchain, &file, &steps)?;
         drop(progress);
+        let output = if program.logs {
+            log::decode(&file, &run.output)?
+        } else {
+            String::from_utf8_lossy(&run.output).into_owned()
+        };
 
         if let Some(on_host) = program.on_host {
             let here = on_host();
-            if here != run.output {
-                let there = &run.output;
-                return Err(Failure::new(format!("on this machine it writes\n{here}and there\n{there}")));
+            if here != output {
+                return Err(Failure::new(format!("on this machine it writes\n{here}and there\n{output}")));
             }
         }
-        self.golden.output(program.name, &run.output)?;
+        self.golden.output(program.name, &output)?;
         if sizes.data != 0 {
             let bytes = sizes.data;
             return Err(Failure::new(format!("{bytes} bytes of data: tables and all else belong in flash")));

@@ -19,6 +19,8 @@ pub(crate) struct Program {
     targets: &'static [&'static str],
     /// What it writes when it runs on this machine.
     pub(crate) on_host: Option<fn() -> String>,
+    /// Whether what it writes is a log of defmt.
+    pub(crate) logs: bool,
     /// What is counted and read.
     pub(crate) steps: Steps,
 }
@@ -50,24 +52,27 @@ const ARM: &[&str] = &["thumb"];
 const EVERY: &[&str] = &["thumb", "riscv32"];
 
 pub(crate) const ALL: &[Program] = &[
-    Program { name: "cell", targets: EVERY, on_host: Some(cell), steps: Steps::None },
+    Program { name: "cell", targets: EVERY, on_host: Some(cell), logs: false, steps: Steps::None },
     Program {
         name: "trace",
         targets: EVERY,
         on_host: Some(played::<measured::cell::Controller>),
+        logs: false,
         steps: Steps::Operations("cell"),
     },
     Program {
         name: "thousand",
         targets: EVERY,
         on_host: Some(played::<measured::line::Controller>),
+        logs: false,
         steps: Steps::Operations("line"),
     },
-    Program { name: "look-up", targets: EVERY, on_host: Some(toured), steps: Steps::LookUps },
-    Program { name: "interrupts", targets: ARM, on_host: None, steps: Steps::None },
-    Program { name: "inline", targets: EVERY, on_host: None, steps: Steps::None },
-    Program { name: "embassy-task", targets: ARM, on_host: None, steps: Steps::None },
-    Program { name: "rtic-application", targets: &["thumbv7m"], on_host: None, steps: Steps::None },
+    Program { name: "look-up", targets: EVERY, on_host: Some(toured), logs: false, steps: Steps::LookUps },
+    Program { name: "interrupts", targets: ARM, on_host: None, logs: false, steps: Steps::None },
+    Program { name: "inline", targets: EVERY, on_host: None, logs: false, steps: Steps::None },
+    Program { name: "embassy-task", targets: ARM, on_host: None, logs: false, steps: Steps::None },
+    Program { name: "log", targets: EVERY, on_host: None, logs: true, steps: Steps::None },
+    Program { name: "rtic-application", targets: &["thumbv7m"], on_host: None, logs: false, steps: Steps::None },
 ];
 
 impl Program {
