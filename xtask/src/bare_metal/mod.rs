@@ -2,18 +2,18 @@
 
 mod apt;
 mod core;
-mod count;
+pub(crate) mod count;
 mod disassembly;
-mod elf;
-mod emulator;
+pub(crate) mod elf;
+pub(crate) mod emulator;
 mod figures;
-mod folders;
+pub(crate) mod folders;
 mod golden;
 mod limits;
 mod panics;
 mod programs;
 pub(crate) mod target;
-mod toolchain;
+pub(crate) mod toolchain;
 
 use crate::failure::{Failure, Result};
 use crate::progress::Progress;
