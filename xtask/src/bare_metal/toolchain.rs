@@ -78,12 +78,19 @@ impl Tool {
     }
 }
 
-/// Cargo, without what it sets for the program that it runs.
+/// Cargo, without what it sets for the program that it runs, and without what would change the figures.
 pub(crate) fn cargo() -> Command {
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo")));
-    let variables = ["RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "RUSTC", "RUSTC_WRAPPER", "CARGO_BUILD_TARGET"];
-    // Incremental compilation makes other code.
-    for variable in variables.into_iter().chain(["CARGO_INCREMENTAL"]) {
+    let variables = [
+        "RUSTFLAGS",
+        "CARGO_ENCODED_RUSTFLAGS",
+        "RUSTC",
+        "RUSTC_WRAPPER",
+        "CARGO_BUILD_TARGET",
+        // Incremental compilation makes other code.
+        "CARGO_INCREMENTAL",
+    ];
+    for variable in variables {
         cargo.env_remove(variable);
     }
     cargo
