@@ -72,7 +72,13 @@ pub(crate) const ALL: &[Program] = &[
     Program { name: "inline", targets: EVERY, on_host: None, logs: false, steps: Steps::None },
     Program { name: "embassy-task", targets: ARM, on_host: None, logs: false, steps: Steps::None },
     Program { name: "log", targets: EVERY, on_host: None, logs: true, steps: Steps::None },
-    Program { name: "rtic-application", targets: &["thumbv7m"], on_host: None, logs: false, steps: Steps::None },
+    Program {
+        name: "rtic-application",
+        targets: &["thumbv7m"],
+        on_host: None,
+        logs: false,
+        steps: Steps::None,
+    },
 ];
 
 impl Program {
