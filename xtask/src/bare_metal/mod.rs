@@ -2,10 +2,10 @@
 
 pub(crate) mod apt;
 mod core;
-mod count;
+pub(crate) mod count;
 mod disassembly;
-mod elf;
-mod emulator;
+pub(crate) mod elf;
+pub(crate) mod emulator;
 mod figures;
 pub(crate) mod folders;
 mod golden;
