@@ -18,7 +18,7 @@ use std::path::PathBuf;
 use std::process::{Command, Output};
 
 /// CPU time after which the compiler is stopped, in seconds.
-pub(super) const LIMIT: u64 = 200;
+pub(super) const LIMIT: u64 = 240;
 
 /// Short compilations are repeated, and the least time counts: what it takes more has other reasons.
 pub(super) const REPETITIONS: usize = 7;
