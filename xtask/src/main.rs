@@ -2,7 +2,7 @@
 //!
 //! `cargo xtask bare-metal setup` brings what firmware needs, `cargo xtask bare-metal test` builds it, runs it in an
 //! emulator and measures it. `cargo xtask msrv` compiles the runtime and generated modules with the oldest compiler that they
-//! are for. `cargo xtask compare` measures other ways to write a state machine beside the project's.
+//! are for. `cargo xtask compare` measures other ways to write a state machine beside these tables.
 
 mod bare_metal;
 mod compare;
