@@ -89,7 +89,8 @@ impl Bench {
         let steps: Vec<Function> =
             functions.into_iter().filter(|function| function.name == "machine::step").collect();
         let run = emulator::run(&self.toolchain, &program, &steps)?;
-        let (digest, value) = run.output.trim_end().split_once(' ').unwrap_or_default();
+        let output = String::from_utf8_lossy(&run.output);
+        let (digest, value) = output.trim_end().split_once(' ').unwrap_or_default();
         if digest != format!("{:08x}", size.run.digest) {
             let (name, right) = (machine.name(), size.run.digest);
             return Err(Failure::new(format!(
