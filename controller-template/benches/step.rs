@@ -13,7 +13,7 @@
 
 use std::hint::black_box;
 
-use controller_template::Mapping;
+use controller_template::Mappings;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 
 include!("step/bench.rs");
@@ -100,13 +100,16 @@ fn lookups(criterion: &mut Criterion) {
 type Group<'a> = criterion::BenchmarkGroup<'a, criterion::measurement::WallTime>;
 
 fn lookup<const N: usize>(group: &mut Group<'_>) {
-    let mapping: Mapping<[u16; N]> =
-        Mapping::new(std::array::from_fn(|i| 2 * i as u16), std::array::from_fn(|i| i as u16));
+    let mapping: Mappings<[u16; 2], [u16; N]> = Mappings {
+        first: [0, N as u16],
+        source: std::array::from_fn(|i| 2 * i as u16),
+        target: std::array::from_fn(|i| i as u16),
+    };
     let mut state = 0_u16;
     group.bench_function(BenchmarkId::from_parameter(N), |bencher| {
         bencher.iter(|| {
             state = state.wrapping_mul(25_173).wrapping_add(13_849);
-            black_box(&mapping).lookup(black_box(state % (2 * N) as u16))
+            black_box(&mapping).lookup(0, black_box(state % (2 * N) as u16))
         });
     });
 }

@@ -6,6 +6,7 @@ use crate::Column;
 
 /// A set of numbers below `32 * W`; larger ones are never members.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bits<const W: usize> {
     words: [u32; W],
 }
@@ -61,6 +62,13 @@ impl<const W: usize> Bits<W> {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.words.iter().all(|&word| word == 0)
+    }
+
+    /// What [`new`](Self::new) takes.
+    #[inline]
+    #[must_use]
+    pub const fn words(self) -> [u32; W] {
+        self.words
     }
 
     /// The members in ascending order.

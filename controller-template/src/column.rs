@@ -1,6 +1,9 @@
 //! Columns of tables: arrays, and byte strings for those that are too long to be compiled as arrays.
 
 use core::marker::PhantomData;
+use core::ops::Range;
+
+use crate::probes::{PREDICTS, probe};
 
 mod sealed {
     pub trait Sealed {}
@@ -52,8 +55,11 @@ pub trait Column {
     /// The number at `index`; `None` beyond the end.
     fn get(&self, index: usize) -> Option<Self::Number>;
 
-    /// Where `number` is in a column that ascends strictly.
-    fn position(&self, number: Self::Number) -> Option<usize>;
+    /// Where `number` is among `rows`, which ascend strictly; counted from the column's first.
+    fn position(&self, rows: Range<usize>, number: Self::Number) -> Option<usize>;
+
+    /// The last of `rows`, which ascend, that is not above `number`. If all are above, the first or none.
+    fn floor(&self, rows: Range<usize>, number: Self::Number) -> Option<usize>;
 
     /// The number at `index` as an index into another column.
     #[inline]
@@ -72,13 +78,18 @@ impl<T: Number, const N: usize> Column for [T; N] {
         self.as_slice().get(index).copied()
     }
 
-    /// The length is known, so the search is unrolled: three instructions a probe, and no bounds left to check.
-    ///
-    /// It stays a function: inlined into a loop of the caller, x86 back ends make branches of its conditional moves,
-    /// which costs five times as long from a few thousand rows on, and tables of one length can share it.
-    #[inline(never)]
-    fn position(&self, number: T) -> Option<usize> {
-        search(N, number, |index| Column::get(self, index))
+    #[inline]
+    fn position(&self, rows: Range<usize>, number: T) -> Option<usize> {
+        if PREDICTS { position_fast(self, rows, number) } else { search_small(self, rows, number).ok() }
+    }
+
+    #[inline]
+    fn floor(&self, rows: Range<usize>, number: T) -> Option<usize> {
+        if PREDICTS {
+            search(rows, number, |index| Column::get(self, index))
+        } else {
+            search_small(self, rows, number).or_else(|above| above.checked_sub(1).ok_or(0)).ok()
+        }
     }
 }
 
@@ -118,30 +129,104 @@ impl<T: Number, const B: usize> Column for Packed<T, B> {
     }
 
     #[inline]
-    fn position(&self, number: T) -> Option<usize> {
-        position_in(&self.bytes, number)
+    fn position(&self, rows: Range<usize>, number: T) -> Option<usize> {
+        position_in(&self.bytes, rows, number)
+    }
+
+    #[inline]
+    fn floor(&self, rows: Range<usize>, number: T) -> Option<usize> {
+        search(rows, number, |index| T::read(&self.bytes, index))
     }
 }
 
-/// One function for byte strings of any length: large tables wait for memory, not for instructions, and hundreds of
-/// unrolled searches would take their time to compile.
-fn position_in<T: Number>(bytes: &[u8], number: T) -> Option<usize> {
-    search(bytes.len() / T::WIDTH, number, |index| T::read(bytes, index))
+/// For arrays of any length and processors that guess where a branch leads, see [`search`].
+#[inline(never)]
+fn position_fast<T: Number>(column: &[T], rows: Range<usize>, number: T) -> Option<usize> {
+    search(rows, number, |index| column.get(index).copied()).filter(|&row| {
+        probe();
+        column.get(row) == Some(&number)
+    })
 }
 
-/// Binary search of a column that ascends strictly.
+/// For processors that execute one instruction after the other from little flash: ten to seventeen instructions a probe,
+/// in as few bytes as can be. To be part of its caller, which knows the length and where the column is.
 ///
-/// It keeps or moves its base instead of branching, so that the compiler selects by conditional moves. The number of
-/// probes follows from the length alone: the least `p` with `2^(p - 1) >= length`.
+/// Where `number` is, or else the first row above it; never a row that is not there.
+///
+/// The order of the comparisons decides what compilers make of it: Thumb code of 76 to 88 bytes with the target's access,
+/// against 82 to 124 if equality is asked first.
 #[inline(always)]
-fn search<T: Number>(length: usize, number: T, get: impl Fn(usize) -> Option<T>) -> Option<usize> {
-    let mut base = 0;
-    let mut rest = length;
+fn search_small<T: Number>(column: &[T], rows: Range<usize>, number: T) -> Result<usize, usize> {
+    let Range { mut start, mut end } = rows;
+    while start < end {
+        let middle = start.wrapping_add(end) / 2;
+        let Some(&found) = column.get(middle) else { break };
+        probe();
+        if found < number {
+            start = middle + 1;
+            continue;
+        }
+        if found == number {
+            return Ok(middle);
+        }
+        end = middle;
+    }
+    Err(start)
+}
+
+/// One function for byte strings of any length: large tables wait for memory, not for instructions.
+#[inline(never)]
+fn position_in<T: Number>(bytes: &[u8], rows: Range<usize>, number: T) -> Option<usize> {
+    search(rows, number, |index| T::read(bytes, index)).filter(|&row| {
+        probe();
+        T::read(bytes, row) == Some(number)
+    })
+}
+
+/// Binary search of rows that ascend, without a branch that depends on them: the last that is not above `number`, or the
+/// first.
+///
+/// It keeps or moves its base instead of branching, so that the compiler selects by conditional moves: where a branch is
+/// guessed wrong every other time, it takes five times as long from a few thousand rows on. It must be in a function
+/// that is never inlined: in a loop of the caller, x86 back ends make branches of its conditional moves. The number of
+/// probes follows from the number of rows alone: the least `p` with `2^(p - 1) >= rows`.
+#[inline(always)]
+fn search<T: Number>(rows: Range<usize>, number: T, get: impl Fn(usize) -> Option<T>) -> Option<usize> {
+    let Range { start: mut base, end } = rows;
+    let mut rest = end.checked_sub(base)?;
     while rest > 1 {
         let half = rest / 2;
         let middle = base + half;
+        probe();
         base = if get(middle)? <= number { middle } else { base };
         rest -= half;
     }
-    get(base).filter(|&found| found == number).map(|_| base)
+    (rest == 1).then_some(base)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Both searches are the same, whatever the processor of this machine.
+    #[test]
+    fn searches_agree() {
+        let column: [u16; 40] = core::array::from_fn(|i| 3 * i as u16);
+        for start in 0..=41 {
+            for end in 0..=41 {
+                for number in 0..=121 {
+                    let fast = position_fast(&column, start..end, number);
+                    let small = search_small(&column, start..end, number).ok();
+                    let expected = (number % 3 == 0).then_some(usize::from(number / 3));
+                    let expected = expected.filter(|row| (start..end.min(40)).contains(row));
+                    if end <= 40 {
+                        assert_eq!((fast, small), (expected, expected), "{number} in {start}..{end}");
+                    } else {
+                        // Nothing is promised beyond the end but an answer.
+                        assert!([fast, small].iter().all(|found| found.is_none() || *found == expected));
+                    }
+                }
+            }
+        }
+    }
 }

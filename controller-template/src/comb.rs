@@ -1,6 +1,7 @@
 //! All mapping functions in one array, the rows of each state shifted until they interlock (row displacement; Tarjan and
 //! Yao, "Storing a sparse table", CACM 1979).
 
+use crate::probes::probe;
 use crate::{Column, Number};
 
 /// A two-dimensional table with holes, in one dimension.
@@ -27,7 +28,15 @@ impl<D: Column, C: Column, T: Column> Comb<D, C, T> {
     pub fn lookup(&self, event: usize, state: impl Number) -> Option<T::Number> {
         let state = state.into().wrapping_sub(self.first) as usize;
         let place = self.displacement.index(state)?.wrapping_add(event);
-        if self.check.index(place)? == event { self.target.get(place) } else { None }
+        let found = self.check.index(place)?;
+        probe();
+        if found == event { self.target.get(place) } else { None }
+    }
+
+    /// The same as an index into another column.
+    #[inline]
+    pub fn index(&self, event: usize, state: impl Number) -> Option<usize> {
+        self.lookup(event, state).map(|target| target.into() as usize)
     }
 }
 

@@ -13,6 +13,12 @@ pub trait Tables {
     /// At most one command to each component.
     type Commands: CommandSet;
 
+    /// What tables are the same: a [`Saved`](crate::Saved) state goes back to those that saved it. Not 0.
+    const VERSION: u32;
+
+    /// States are below.
+    const STATES: u32;
+
     /// Where the controller starts.
     const INITIAL: Self::State;
 
@@ -63,7 +69,11 @@ impl<E, C> Observer<E, C> for () {}
 /// Several events may be pending at once, as in a scan of a PLC: [`raise`](Self::raise) them, then
 /// [`cycle`](Self::cycle) or [`drain`](Self::drain). A program that gets one event at a time calls
 /// [`react`](Self::react) instead.
+///
+/// It is not `Copy`, though small: who steps a copy by mistake leaves the original behind. What [`save`](Self::save)
+/// gives is.
 #[derive(Clone, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Machine<T: Tables, const W: usize> {
     state: T::State,
     pending: Bits<W>,
@@ -74,6 +84,10 @@ impl<T: Tables, const W: usize> Machine<T, W> {
     #[must_use]
     pub const fn new() -> Self {
         Machine { state: T::INITIAL, pending: Bits::new([0; W]) }
+    }
+
+    pub(crate) const fn at(state: T::State, pending: Bits<W>) -> Self {
+        Machine { state, pending }
     }
 
     /// Makes an event pending; `false` if it is already, and then once is all it counts.

@@ -1,5 +1,6 @@
 //! Mapping functions over runs of consecutive states, with targets of as few bits as they need.
 
+use crate::probes::probe;
 use crate::{Column, Number};
 
 /// Several mapping functions in one.
@@ -47,18 +48,17 @@ where
     pub fn row(&self, mapping: usize, state: S::Number) -> Option<(usize, u32)> {
         let first = self.first.get(mapping)?.into() as usize;
         let end = self.first.get(mapping.checked_add(1)?)?.into() as usize;
-        let mut run = first;
-        let mut rest = end.saturating_sub(first);
-        while rest > 1 {
-            let half = rest / 2;
-            let middle = run + half;
-            run = if self.state.get(middle)? <= state { middle } else { run };
-            rest -= half;
-        }
-        let further = state.into().checked_sub(self.state.get(run)?.into())?;
-        let before = if run == first { 0 } else { self.end.get(run - 1)?.into() };
+        let run = self.state.floor(first..end, state)?;
+        // In front of them if the state is.
+        let nth = run.checked_sub(first)?;
+        let begin = self.state.get(run)?.into();
+        probe();
+        let further = state.into().checked_sub(begin)?;
+        let before = if nth == 0 { 0 } else { self.end.get(run - 1)?.into() };
         let row = before.checked_add(further)?;
-        (rest == 1 && row < self.end.get(run)?.into()).then_some((run - first, row))
+        let end = self.end.get(run)?.into();
+        probe();
+        (row < end).then_some((nth, row))
     }
 
     /// The target of a row.

@@ -5,7 +5,9 @@ use std::{env, fs};
 
 fn main() {
     let variable = |name| env::var(name).unwrap_or_else(|_| panic!("cargo sets {name}"));
-    let memory = format!("memory/{}.x", variable("TARGET"));
+    let large = env::var_os("CARGO_FEATURE_LARGE").is_some();
+    let board = if large { "large".to_owned() } else { variable("TARGET") };
+    let memory = format!("memory/{board}.x");
     println!("cargo::rerun-if-changed=memory");
     if Path::new(&memory).exists() {
         let out = variable("OUT_DIR");

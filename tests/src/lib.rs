@@ -4,6 +4,7 @@
 pub mod beside;
 pub mod corpus;
 pub mod fast;
+pub mod line;
 pub mod naive;
 pub mod plant_builder;
 pub mod plant_families;

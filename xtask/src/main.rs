@@ -1,10 +1,13 @@
 //! Tasks of this repository that are programs.
 //!
 //! `cargo xtask bare-metal setup` brings what firmware needs, `cargo xtask bare-metal test` builds it, runs it in an
-//! emulator and measures it.
+//! emulator and measures it. `cargo xtask msrv` compiles the runtime and generated modules with the oldest compiler that they
+//! are for. `cargo xtask compare` measures other ways to write a state machine beside these tables.
 
 mod bare_metal;
+mod compare;
 mod failure;
+mod msrv;
 mod process;
 mod progress;
 
@@ -19,6 +22,10 @@ enum Task {
     /// The firmware: built for microcontrollers, run in an emulator, measured.
     #[command(subcommand)]
     BareMetal(BareMetal),
+    /// Compile the runtime, and a generated module of each engine, with the oldest compiler that they are for.
+    Msrv,
+    /// One controller as tables of this project and as other state machines: flash, RAM, instructions, compile time.
+    Compare(compare::Options),
 }
 
 #[derive(Subcommand)]
@@ -41,10 +48,11 @@ enum BareMetal {
 }
 
 fn main() -> ExitCode {
-    let Task::BareMetal(task) = Task::parse();
-    let done = match task {
-        BareMetal::Setup { targets } => bare_metal::setup(&or_all(targets)),
-        BareMetal::Test { targets, bless } => bare_metal::test(&or_all(targets), bless),
+    let done = match Task::parse() {
+        Task::BareMetal(BareMetal::Setup { targets }) => bare_metal::setup(&or_all(targets)),
+        Task::BareMetal(BareMetal::Test { targets, bless }) => bare_metal::test(&or_all(targets), bless),
+        Task::Msrv => msrv::check(),
+        Task::Compare(options) => compare::run(&options),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

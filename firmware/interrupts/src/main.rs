@@ -5,12 +5,12 @@
 #![no_std]
 #![no_main]
 
+use controller_template::{EventQueue, EventSender};
 use core::cell::{Cell, RefCell};
 use cortex_m::Peripherals;
 use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m_rt::exception;
 use critical_section::Mutex;
-use heapless::spsc::{Producer, Queue};
 // Its critical sections stand for compare-and-swap.
 use portable_atomic as _;
 use production_cell::production_cell::{Controller, Event};
@@ -22,19 +22,19 @@ const ITEMS: u64 = 500;
 const TICK: u32 = 2_000;
 
 /// Ten events can be on their way at once, each but once.
-static QUEUE: StaticCell<Queue<Event, 16>> = StaticCell::new();
-static SENSORS: Mutex<RefCell<Option<Producer<'static, Event>>>> = Mutex::new(RefCell::new(None));
+static QUEUE: StaticCell<EventQueue<Event, 16>> = StaticCell::new();
+static SENSORS: Mutex<RefCell<Option<EventSender<'static, Event>>>> = Mutex::new(RefCell::new(None));
 static PLANT: rig::Shared = rig::Shared::new();
 static SENT: Mutex<Cell<u32>> = Mutex::new(Cell::new(0));
-static LOST: Mutex<Cell<u32>> = Mutex::new(Cell::new(0));
 
 #[exception]
 fn SysTick() {
     PLANT.advance(|event| {
         critical_section::with(|token| {
-            let mut sensors = SENSORS.borrow_ref_mut(token);
-            let queued = sensors.as_mut().is_some_and(|queue| queue.enqueue(event).is_ok());
-            add(if queued { &SENT } else { &LOST });
+            if let Some(sensors) = SENSORS.borrow_ref_mut(token).as_mut() {
+                sensors.send(event);
+            }
+            SENT.borrow(token).update(|count| count + 1);
         });
     });
 }
@@ -42,7 +42,7 @@ fn SysTick() {
 #[board::entry]
 fn main() -> ! {
     rig::heap();
-    let (sensors, mut events) = QUEUE.init(Queue::new()).split();
+    let (sensors, mut events) = QUEUE.init(EventQueue::new()).split();
     critical_section::with(|token| SENSORS.replace(token, Some(sensors)));
     PLANT.begin(1);
     start_timer();
@@ -51,22 +51,18 @@ fn main() -> ! {
     let mut taken = 0;
     let mut accidents = 0;
     while PLANT.delivered() < ITEMS && accidents == 0 {
-        while let Some(event) = events.dequeue() {
-            taken += 1;
-            if !controller.raise(event) {
-                add(&LOST);
-            }
-        }
+        taken += events.deliver(|event| controller.raise(event));
         PLANT.carry_out(controller.cycle());
         accidents = PLANT.accidents().len();
-        if !events.ready() {
+        if events.is_empty() {
             cortex_m::asm::wfi();
         }
     }
 
     cortex_m::interrupt::disable();
-    taken += core::iter::from_fn(|| events.dequeue()).count() as u32;
-    let (sent, lost) = (get(&SENT), get(&LOST));
+    taken += events.deliver(|event| controller.raise(event));
+    let sent = critical_section::with(|token| SENT.borrow(token).get());
+    let lost = events.lost() + events.absorbed();
     board::println!("{ITEMS} items delivered by interrupts, {accidents} accidents, {lost} events lost");
     board::println!("every event that was sent was taken: {}", sent == taken);
     board::end(lost == 0 && accidents == 0 && sent == taken)
@@ -80,12 +76,4 @@ fn start_timer() {
         SYST.enable_counter();
         SYST.enable_interrupt();
     }
-}
-
-fn add(counter: &Mutex<Cell<u32>>) {
-    critical_section::with(|token| counter.borrow(token).update(|count| count + 1));
-}
-
-fn get(counter: &Mutex<Cell<u32>>) -> u32 {
-    critical_section::with(|token| counter.borrow(token).get())
 }

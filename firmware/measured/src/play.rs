@@ -118,7 +118,7 @@ impl Random {
 macro_rules! steps {
     ($module:ident) => {
         use core::hint::black_box;
-        pub use $module::{Commands, Controller, Event};
+        pub use $module::{Commands, Controller, Event, Saved};
 
         /// [`Controller::accepts`]
         #[inline(never)]

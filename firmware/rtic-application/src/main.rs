@@ -7,8 +7,8 @@ use board as _;
 
 #[rtic::app(device = lm3s6965, dispatchers = [GPIOA])]
 mod app {
+    use controller_template::{EventQueue, EventReceiver, EventSender};
     use cortex_m::peripheral::syst::SystClkSource;
-    use heapless::spsc::{Consumer, Producer, Queue};
     use production_cell::production_cell::{Controller, Event};
 
     /// Items until the end.
@@ -24,12 +24,12 @@ mod app {
     #[local]
     struct Local {
         controller: Controller,
-        sensors: Producer<'static, Event>,
-        events: Consumer<'static, Event>,
+        sensors: EventSender<'static, Event>,
+        events: EventReceiver<'static, Event>,
     }
 
     // Ten events can be on their way at once, each but once.
-    #[init(local = [queue: Queue<Event, 16> = Queue::new()])]
+    #[init(local = [queue: EventQueue<Event, 16> = EventQueue::new()])]
     fn init(context: init::Context) -> (Shared, Local) {
         rig::heap();
         PLANT.begin(1);
@@ -47,7 +47,7 @@ mod app {
     fn tick(context: tick::Context) {
         let mut sensed = false;
         PLANT.advance(|event| {
-            context.local.sensors.enqueue(event).expect("every event fits");
+            context.local.sensors.send(event);
             sensed = true;
         });
         if sensed {
@@ -58,10 +58,10 @@ mod app {
 
     #[task(local = [controller, events], priority = 1)]
     async fn control(context: control::Context) {
-        while let Some(event) = context.local.events.dequeue() {
-            assert!(context.local.controller.raise(event), "no event is lost");
-        }
-        PLANT.carry_out(context.local.controller.drain());
+        let control::LocalResources { controller, events, .. } = context.local;
+        events.deliver(|event| controller.raise(event));
+        assert!(events.lost() == 0 && events.absorbed() == 0, "no event is lost");
+        PLANT.carry_out(controller.drain());
         let accidents = PLANT.accidents().len();
         if PLANT.delivered() >= ITEMS || accidents > 0 {
             board::println!("{ITEMS} items delivered by RTIC, {accidents} accidents");

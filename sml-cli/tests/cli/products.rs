@@ -263,7 +263,7 @@ fn names_are_those_in_the_text() {
 fn an_engine_of_rust_is_chosen() {
     let text = |engine: &str| sml(&format!("export memory/spec.sml --target rust --engine {engine}")).stdout;
     let (search, runs, comb) = (text("search"), text("runs"), text("comb"));
-    assert!(search.contains("controller_template::Mapping<") && !search.contains("static COMB"));
+    assert!(search.contains("controller_template::Mappings<") && !search.contains("static COMB"));
     assert!(runs.contains(" --target rust --engine runs` again"), "{runs}");
     assert!(runs.contains("static RUNS: ") && comb.contains("static COMB: "));
     for (arguments, code) in [("--target rust --engine steam", 2), ("--target iec --engine comb", 2)] {

@@ -1,6 +1,7 @@
 //! The controller: a deterministic machine over environment events and super steps, and what is made of it.
 
 mod alphabet;
+pub(crate) mod calls;
 pub mod comb;
 pub mod cycle;
 mod event_text;

@@ -2,6 +2,7 @@
 //! event, one for the super steps with a command code per component.
 
 use super::{Component, Controller, Event};
+use crate::fnv::Fnv;
 
 /// Bumped whenever the meaning of emitted tables changes; part of every output.
 pub const FORMAT_VERSION: u32 = 1;
@@ -113,6 +114,30 @@ impl Tables {
             owed: controller.owed.clone(),
             provenance,
         }
+    }
+
+    /// What a saved state means: two controllers have the same version if states, events and commands are the same in
+    /// both, whatever language or engine they are in; what is owed does not count. Not 0, which memory holds that has
+    /// never been written, and within all integer types of 32 bits.
+    #[must_use]
+    pub fn version(&self) -> u32 {
+        let mut hash = Fnv::new();
+        hash.numbers(&[FORMAT_VERSION, self.states, self.initial]);
+        hash.text(&self.specification);
+        for table in &self.events {
+            hash.text(&table.event.text);
+            hash.numbers(&table.mapping.source);
+            hash.numbers(&table.mapping.target);
+        }
+        hash.numbers(&self.super_steps.source);
+        hash.numbers(&self.super_steps.target);
+        for component in &self.components {
+            hash.text(&component.object);
+            component.commands.iter().for_each(|command| hash.text(&command.text));
+            hash.numbers(&component.codes);
+        }
+        let folded = hash.finish() ^ (hash.finish() >> 32);
+        (folded as u32 & i32::MAX as u32).max(1)
     }
 }
 

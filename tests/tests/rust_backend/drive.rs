@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::io::{BufRead as _, Write as _};
 
-use controller_template::Observer;
+use controller_template::{Observer, RestoreError};
 
 type Log = Vec<(Option<usize>, u32, u32)>;
 
@@ -15,6 +15,9 @@ trait Drive {
     fn drain(&mut self, log: &mut Log) -> Vec<u32>;
     fn react(&mut self, event: usize, log: &mut Log) -> Option<Vec<u32>>;
     fn reset(&mut self);
+    fn version(&self) -> u32;
+    fn save(&self) -> Vec<u8>;
+    fn restore(&mut self, saved: &[u8]) -> Result<(), RestoreError>;
     fn state(&self) -> u32;
     fn pending(&self) -> Vec<usize>;
     fn accepted(&self) -> Vec<usize>;
@@ -66,6 +69,19 @@ macro_rules! drive {
                 self.reset();
             }
 
+            fn version(&self) -> u32 {
+                Self::TABLE_VERSION
+            }
+
+            fn save(&self) -> Vec<u8> {
+                self.save().to_bytes().to_vec()
+            }
+
+            fn restore(&mut self, saved: &[u8]) -> Result<(), RestoreError> {
+                *self = Self::restore(&$module::Saved::from_bytes(saved)?)?;
+                Ok(())
+            }
+
             fn state(&self) -> u32 {
                 self.state()
             }
@@ -115,21 +131,37 @@ fn main() {
     let mut controllers: BTreeMap<&str, Box<dyn Drive>> = BTreeMap::new();
     insert_all(&mut controllers);
     let mut out = std::io::BufWriter::new(std::io::stdout().lock());
+    let states: Vec<(String, Vec<u8>)> =
+        controllers.iter().map(|(name, controller)| ((*name).to_owned(), controller.save())).collect();
     for line in std::io::stdin().lock().lines() {
         let line = line.unwrap();
         let mut words = line.split(' ');
-        let controller = controllers.get_mut(words.next().unwrap()).unwrap();
+        let module = words.next().unwrap();
+        let controller = controllers.get_mut(module).unwrap();
         let action = words.next().unwrap();
         let event = words.next().map(|event| event.parse::<usize>().unwrap());
         let mut log = Log::new();
         let result = match (action, event) {
-            ("texts", None) => format!("{:?}", controller.texts()),
+            ("texts", None) => format!("{:?} {}", controller.texts(), controller.version()),
             ("raise", Some(event)) => controller.raise(event).to_string(),
             ("cycle", None) => format!("{:?}", controller.cycle(&mut log)),
             ("drain", None) => format!("{:?}", controller.drain(&mut log)),
             ("react", Some(event)) => format!("{:?}", controller.react(event, &mut log)),
             ("reset", None) => {
                 controller.reset();
+                String::new()
+            }
+            ("reload", None) => {
+                let saved = controller.save();
+                controller.reset();
+                controller.restore(&saved).unwrap();
+                String::new()
+            }
+            ("foreign", None) => {
+                for (other, saved) in &states {
+                    let restored = controller.restore(saved);
+                    assert_eq!(restored.is_ok(), other == module, "{module} goes on from {other}");
+                }
                 String::new()
             }
             _ => panic!("{line}"),

@@ -93,24 +93,42 @@ fn variants(body: &[Token]) -> impl Iterator<Item = (String, Option<u32>)> {
 fn table(doc: &str, name: &str, item: &[Token], controller: &mut Controller) {
     let equals = item.iter().position(|token| token.is("=")).expect("a value");
     let (ty, value) = (&item[..equals], &item[equals + 1..]);
-    if name == "SUPER_STEPS" {
-        controller.super_steps = mapping(ty, value);
+    if name == "ROWS" {
+        let mut mappings = mappings(ty, value);
+        controller.super_steps = mappings.pop().expect("super steps");
+        assert_eq!(mappings.len(), controller.events.len());
+        for (event, mapping) in controller.events.iter_mut().zip(mappings) {
+            event.mapping = mapping;
+        }
     } else if let Some(object) = doc.strip_prefix("Codes that super steps command to ") {
         let object = plain(object.trim_end_matches("; 0 is none."));
         let component = controller.components.iter_mut().find(|component| component.object == object);
         component.expect("the component of the codes").codes = numbers(ty, value);
-    } else if let Some(event) = controller.events.iter_mut().find(|event| event.text == plain(doc)) {
-        assert_eq!(event.mapping, Mapping::default(), "{doc} twice");
-        event.mapping = mapping(ty, value);
     }
 }
 
-/// `::controller_template::Mapping::new(source, target)`.
-fn mapping(ty: &[Token], value: &[Token]) -> Mapping {
-    let arguments = value.iter().find_map(Token::group).expect("arguments");
-    let columns: Vec<&[Token]> = arguments.split(|token| token.is(",")).filter(|c| !c.is_empty()).collect();
-    let [source, target] = columns[..] else { panic!("no two columns: {arguments:?}") };
-    Mapping { source: numbers(ty, source), target: numbers(ty, target) }
+/// `::controller_template::Mappings { first: …, source: …, target: … }`, of columns of the types of `first` and of the others.
+fn mappings(ty: &[Token], value: &[Token]) -> Vec<Mapping> {
+    let fields = value.iter().find_map(Token::group).expect("fields");
+    let fields: Vec<&[Token]> = fields.split(|token| token.is(",")).filter(|c| !c.is_empty()).collect();
+    let [first, source, target] = fields[..] else { panic!("no three columns: {fields:?}") };
+    let (first_ty, ty) = two_types(ty);
+    let [first, source, target] =
+        [(first_ty, first), (ty, source), (ty, target)].map(|(ty, field)| numbers(ty, field));
+    assert_eq!((source.len(), first.last()), (target.len(), Some(&(source.len() as u32))));
+    let rows = |rows: &[u32]| {
+        let rows = rows[0] as usize..rows[1] as usize;
+        Mapping { source: source[rows.clone()].to_vec(), target: target[rows].to_vec() }
+    };
+    first.windows(2).map(rows).collect()
+}
+
+/// The arguments of `::controller_template::Mappings<[u8; 3], [u16; 40]>`, or of two `Packed<u8, 3>`.
+fn two_types(ty: &[Token]) -> (&[Token], &[Token]) {
+    let is_array = |token: &Token| matches!(token, Token::Group(Delimiter::Bracket, _));
+    let is_column = |token: &Token| is_array(token) || token.is("Packed");
+    let second = ty.iter().rposition(is_column).expect("two columns");
+    ty.split_at(second)
 }
 
 /// `[1, 2]`, or `::controller_template::Packed::new(*b"\x01\x02")` with numbers as wide as the type says.

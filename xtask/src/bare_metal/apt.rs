@@ -29,8 +29,13 @@ impl Package {
     }
 }
 
-/// Unpacks `names`, and what they depend on that this system does not have, from `packages` into `root`. Says whether
-/// anything was unpacked; what is there in the right version is left alone.
+/// Whether apt knows such a package; `name`s are those of [`unpack`].
+pub(crate) fn knows(name: &str) -> Result<bool> {
+    Ok(process::find("apt-cache").is_some() && version(name)?.is_some())
+}
+
+/// Unpacks `names`, and what they depend on that this system does not have, from `packages` into `root`. A name may
+/// have the beginning of a version, `rustc-web=1.85.`; else the newest is taken. Says whether anything was unpacked; what is there in the right version is left alone.
 pub(crate) fn unpack(names: &[&str], packages: &Path, root: &Path) -> Result<bool> {
     if ["apt-get", "apt-cache", "dpkg-deb"].into_iter().any(|tool| process::find(tool).is_none()) {
         let missing = names.join(", ");
@@ -77,18 +82,19 @@ pub(crate) fn unpack(names: &[&str], packages: &Path, root: &Path) -> Result<boo
 
 /// The packages of `names` in the newest version that apt knows, and what must be there for them.
 fn resolve(names: &[&str]) -> Result<Vec<Package>> {
-    let mut versions = policies(names)?;
-    if versions.iter().any(Option::is_none) {
+    let versions = || names.iter().map(|name| version(name)).collect::<Result<Vec<_>>>();
+    let mut known = versions()?;
+    if known.iter().any(Option::is_none) {
         update()?;
-        versions = policies(names)?;
+        known = versions()?;
     }
     let mut exact = Vec::new();
-    for (name, version) in names.iter().zip(&versions) {
+    for (name, version) in names.iter().zip(&known) {
         let version = version.as_deref().ok_or_else(|| {
             Failure::new(format!("apt knows no package `{name}`"))
                 .help("add a source of packages that has it, as Debian's main and security archives do")
         })?;
-        exact.push(format!("{name}={version}"));
+        exact.push(format!("{}={version}", name.split('=').next().unwrap_or_default()));
     }
     // Only asks: recommended packages are not needed, installed ones are fetched all the same.
     let mut ask = apt("apt-get");
@@ -96,12 +102,14 @@ fn resolve(names: &[&str]) -> Result<Vec<Package>> {
     Ok(files(&process::text(&mut ask)?))
 }
 
-/// The candidate version of each package.
-fn policies(names: &[&str]) -> Result<Vec<Option<String>>> {
-    names
-        .iter()
-        .map(|name| Ok(candidate(&process::text(apt("apt-cache").arg("policy").arg(name))?)))
-        .collect()
+/// The version of a package that is taken.
+fn version(name: &str) -> Result<Option<String>> {
+    Ok(match name.split_once('=') {
+        None => candidate(&process::text(apt("apt-cache").arg("policy").arg(name))?),
+        Some((name, beginning)) => {
+            beginning_with(&process::text(apt("apt-cache").arg("madison").arg(name))?, beginning)
+        }
+    })
 }
 
 fn update() -> Result<()> {
@@ -154,6 +162,12 @@ fn candidate(policy: &str) -> Option<String> {
     (version != "(none)").then(|| version.to_owned())
 }
 
+/// The first version with a beginning in what `apt-cache madison` says: lines of `NAME | VERSION | SOURCE`.
+fn beginning_with(madison: &str, beginning: &str) -> Option<String> {
+    let mut versions = madison.lines().filter_map(|line| line.split('|').nth(1)).map(str::trim);
+    versions.find(|version| version.starts_with(beginning)).map(str::to_owned)
+}
+
 /// The packages in what `apt-get --print-uris` says: lines of `'URI' FILE BYTES HASH`.
 fn files(uris: &str) -> Vec<Package> {
     let package = |line: &str| {
@@ -165,7 +179,15 @@ fn files(uris: &str) -> Vec<Package> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Package, candidate, files};
+    use super::{Package, beginning_with, candidate, files};
+
+    #[test]
+    fn a_version_may_be_asked_for() {
+        let madison = " rustc | 1.96.0+d1-2 | http://archive a\n rustc | 1.85.0+d3-1 | http://archive b\n";
+        assert_eq!(beginning_with(madison, "1.85.").as_deref(), Some("1.85.0+d3-1"));
+        assert_eq!(beginning_with(madison, "1.8."), None);
+        assert_eq!(beginning_with("", "1.85."), None);
+    }
 
     #[test]
     fn the_candidate_is_the_version() {

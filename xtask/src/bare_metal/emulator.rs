@@ -17,7 +17,7 @@ const PATIENCE: Duration = Duration::from_secs(180);
 /// What a program did.
 pub(crate) struct Run<'f> {
     /// What it wrote.
-    pub(crate) output: String,
+    pub(crate) output: Vec<u8>,
     /// Instructions of the calls of each function.
     pub(crate) counts: BTreeMap<&'f str, Count>,
 }
@@ -40,7 +40,7 @@ pub(crate) fn run<'f>(toolchain: &Toolchain, program: &Path, functions: &'f [Fun
         let output = scope.spawn(move || {
             let mut bytes = Vec::new();
             let _ = stdout.read_to_end(&mut bytes);
-            String::from_utf8_lossy(&bytes).into_owned()
+            bytes
         });
         // The log of executed instructions comes on the standard error.
         let log = scope.spawn(move || {
@@ -65,7 +65,11 @@ pub(crate) fn run<'f>(toolchain: &Toolchain, program: &Path, functions: &'f [Fun
         Some(0) => Ok(Run { output, counts }),
         code => {
             let code = code.map_or_else(|| "a signal".to_owned(), |code| code.to_string());
-            Err(Failure::new(format!("`{}` ended with {code}:\n{output}{said}", program.display())))
+            Err(Failure::new(format!(
+                "`{}` ended with {code}:\n{}{said}",
+                program.display(),
+                String::from_utf8_lossy(&output)
+            )))
         }
     }
 }

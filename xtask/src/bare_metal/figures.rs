@@ -1,8 +1,8 @@
 //! The figures of the golden files as tables in `docs/firmware.md`.
 
 use super::folders::Folders;
-use super::programs;
-use super::target;
+use super::programs::{self, Program, Steps};
+use super::target::{self, Target};
 use crate::failure::{At, Failure, Result};
 use std::fmt::Write as _;
 use std::fs;
@@ -32,18 +32,20 @@ fn replaced(page: &str, tables: &str) -> Result<String> {
     Ok(format!("{before}{BEGIN}{tables}{END}{behind}"))
 }
 
-/// One table of sizes and one of steps, of all golden files that are there.
+/// Tables of look-ups, operations and sizes, of all golden files that are there.
 fn tables(folders: &Folders) -> Result<String> {
+    let (sizes, versions) = sizes(folders)?;
+    let (look_ups, operations) = (look_ups(folders)?, operations(folders)?);
+    Ok(format!("\nCompiled by {}.\n\n{look_ups}\n{operations}\n{sizes}\n", versions.join(" and ")))
+}
+
+/// The table, and the versions of compilers.
+fn sizes(folders: &Folders) -> Result<(String, Vec<String>)> {
     let mut sizes = String::from("| program | target | text | data | bss |\n|---|---|---|---|---|\n");
-    let mut steps = String::from(
-        "| controller | operation | target | code | min | mean | max |\n|---|---|---|---|---|---|---|\n",
-    );
     let mut versions = Vec::new();
     for program in programs::ALL {
         for target in target::ALL.iter().filter(|target| program.is_for(target)) {
-            let folder = folders.expected().join(target.triple);
-            let path = folder.join(format!("{}.size", program.name));
-            let text = fs::read_to_string(&path).doing(format_args!("read `{}`", path.display()))?;
+            let text = golden(folders, target, program, "size")?;
             let (name, architecture) = (program.name, architecture(target.triple));
             versions.extend(text.lines().next().map(str::to_owned));
             let numbers: Vec<&str> =
@@ -51,30 +53,63 @@ fn tables(folders: &Folders) -> Result<String> {
             let _ = writeln!(sizes, "| `{name}` | {architecture} | {} |", numbers.join(" | "));
         }
     }
-    for program in programs::ALL.iter().filter(|program| program.steps.is_some()) {
-        for operation in 0.. {
-            let mut any = false;
-            for target in &target::ALL {
-                let path = folders.expected().join(target.triple).join(format!("{}.steps", program.name));
-                let text = fs::read_to_string(&path).doing(format_args!("read `{}`", path.display()))?;
-                let Some(line) = text.lines().nth(operation + 1) else { continue };
-                let words: Vec<&str> = line.split_whitespace().collect();
-                let [operation, _, code, _, _, _, min, _, mean, _, max] = words[..] else { continue };
-                let (name, architecture) = (program.name, architecture(target.triple));
-                let _ = writeln!(
-                    steps,
-                    "| `{name}` | `{operation}` | {architecture} | {code} | {min} | {mean} | {max} |"
-                );
-                any = true;
-            }
-            if !any {
-                break;
-            }
-        }
-    }
     versions.sort();
     versions.dedup();
-    Ok(format!("\nCompiled by {}.\n\n{steps}\n{sizes}\n", versions.join(" and ")))
+    Ok((sizes, versions))
+}
+
+/// By controller, engine and target, with the bytes of tables.
+fn look_ups(folders: &Folders) -> Result<String> {
+    let mut table = String::from(
+        "| controller | engine | tables | target | code | min | mean | max |\n|---|---|---|---|---|---|---|---|\n",
+    );
+    for program in programs::ALL.iter().filter(|program| matches!(program.steps, Steps::LookUps)) {
+        for [label, target, figures] in steps(folders, program)? {
+            let run = golden(folders, &target::ALL[0], program, "run")?;
+            // `rows_search: tables 1222, states …`
+            let of_label = run.lines().find_map(|line| line.strip_prefix(&*label)?.strip_prefix(": tables "));
+            let tables = of_label.and_then(|rest| rest.split(',').next()).unwrap_or("?");
+            let (controller, engine) = label.split_once('_').unwrap_or((&label, "?"));
+            let _ = writeln!(table, "| `{controller}` | `{engine}` | {tables} | {target} | {figures} |");
+        }
+    }
+    Ok(table)
+}
+
+/// By controller, operation and target.
+fn operations(folders: &Folders) -> Result<String> {
+    let mut table = String::from(
+        "| controller | operation | target | code | min | mean | max |\n|---|---|---|---|---|---|---|\n",
+    );
+    for program in programs::ALL.iter().filter(|program| matches!(program.steps, Steps::Operations(_))) {
+        for [label, target, figures] in steps(folders, program)? {
+            let _ = writeln!(table, "| `{}` | `{label}` | {target} | {figures} |", program.name);
+        }
+    }
+    Ok(table)
+}
+
+/// Of every function its label, the target, and code, least, mean and most instructions; targets beside each other.
+fn steps(folders: &Folders, program: &Program) -> Result<Vec<[String; 3]>> {
+    let mut steps = Vec::new();
+    for (order, target) in target::ALL.iter().enumerate() {
+        for line in golden(folders, target, program, "steps")?.lines().skip(1) {
+            let words: Vec<&str> = line.split_whitespace().collect();
+            let [label, _, code, _, _, _, min, _, mean, _, max] = words[..] else { continue };
+            steps.push((label.to_owned(), order, [code, min, mean, max].join(" | ")));
+        }
+    }
+    steps.sort();
+    let row = |(label, order, figures): (String, usize, String)| {
+        [label, architecture(target::ALL[order].triple).to_owned(), figures]
+    };
+    Ok(steps.into_iter().map(row).collect())
+}
+
+/// The text of a golden file.
+fn golden(folders: &Folders, target: &Target, program: &Program, what: &str) -> Result<String> {
+    let path = folders.expected().join(target.triple).join(format!("{}.{what}", program.name));
+    fs::read_to_string(&path).doing(format_args!("read `{}`", path.display()))
 }
 
 /// The target without what all have in common.

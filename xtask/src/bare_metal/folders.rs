@@ -50,6 +50,21 @@ impl Folders {
         self.home.join("core")
     }
 
+    /// What belongs to an older compiler.
+    pub(crate) fn older(&self, version: &str) -> PathBuf {
+        self.home.join(format!("rust-{version}"))
+    }
+
+    /// What `cargo xtask compare` generates.
+    pub(crate) fn compared(&self) -> PathBuf {
+        self.home.join("compared")
+    }
+
+    /// The page with the comparison, its figures and its plots.
+    pub(crate) fn docs(&self) -> PathBuf {
+        self.repository.join("docs")
+    }
+
     /// Cargo's target folder of the programs.
     pub(crate) fn build(&self) -> PathBuf {
         self.home.join("build")

@@ -1,25 +1,28 @@
 //! The firmware: built for microcontrollers, run in an emulator, measured, and compared with what is expected.
 
-mod apt;
+pub(crate) mod apt;
 mod core;
-mod count;
+pub(crate) mod count;
 mod disassembly;
-mod elf;
-mod emulator;
+pub(crate) mod elf;
+pub(crate) mod emulator;
 mod figures;
-mod folders;
+pub(crate) mod folders;
 mod golden;
+mod hook;
+mod limits;
+mod log;
 mod panics;
 mod programs;
 pub(crate) mod target;
-mod toolchain;
+pub(crate) mod toolchain;
 
 use crate::failure::{Failure, Result};
 use crate::progress::Progress;
 use elf::Function;
 use folders::Folders;
 use golden::Golden;
-use programs::Program;
+use programs::{Program, Steps};
 use std::fmt::Write as _;
 use target::Target;
 use toolchain::{Toolchain, Unpacked};
@@ -64,6 +67,7 @@ pub(crate) fn test(targets: &[&'static Target], bless: bool) -> Result<()> {
         for program in programs::ALL.iter().filter(|program| program.is_for(target)) {
             judge(program.name, bench.test(program));
         }
+        judge("observer costs", hook::compare(&folders, &toolchain, target));
         judge("panics", panics::prove(&folders, &toolchain).map(|()| "none can be reached".to_owned()));
     }
     if bless && failed == 0 {
@@ -88,37 +92,44 @@ impl Bench<'_> {
         progress.tell(&format!("{}: building {}", self.target.triple, program.name));
         let file = program.build(self.folders, self.toolchain, self.target)?;
         let (sizes, functions) = elf::read(&file)?;
-        let steps: Vec<Function> = match program.steps {
-            Some(module) => functions.iter().filter(|function| is_step(function, module)).cloned().collect(),
-            None => Vec::new(),
-        };
+        let is_step = |function: &&Function| program.steps.label(&function.name).is_some();
+        let steps: Vec<Function> = functions.iter().filter(is_step).cloned().collect();
         progress.tell(&format!("{}: running {}", self.target.triple, program.name));
         let run = emulator::run(self.toolchain, &file, &steps)?;
         drop(progress);
+        let output = if program.logs {
+            log::decode(&file, &run.output)?
+        } else {
+            String::from_utf8_lossy(&run.output).into_owned()
+        };
 
         if let Some(on_host) = program.on_host {
             let here = on_host();
-            if here != run.output {
-                let there = &run.output;
-                return Err(Failure::new(format!("on this machine it writes\n{here}and there\n{there}")));
+            if here != output {
+                return Err(Failure::new(format!("on this machine it writes\n{here}and there\n{output}")));
             }
         }
-        self.golden.output(program.name, &run.output)?;
+        self.golden.output(program.name, &output)?;
         if sizes.data != 0 {
             let bytes = sizes.data;
             return Err(Failure::new(format!("{bytes} bytes of data: tables and all else belong in flash")));
         }
         self.golden.figures(program.name, "size", &sizes.to_string())?;
         let mut said = format!("text {}, data {}, bss {}", sizes.text, sizes.data, sizes.bss);
-        if program.steps.is_some() {
+        if !matches!(program.steps, Steps::None) {
             let roots: Vec<&Function> = steps.iter().collect();
             let code = disassembly::read(self.toolchain, &file, &functions, &roots)?;
             let mut lines = String::new();
+            let labels = code.keys().filter_map(|name| program.steps.label(name));
+            let width = labels.map(str::len).max().unwrap_or(0);
             for (name, bytes) in code {
                 let count =
                     run.counts.get(name).ok_or_else(|| Failure::new(format!("`{name}` is not called")))?;
-                let short = name.rsplit("::").next().unwrap_or(name);
-                let _ = writeln!(lines, "{short:8} code {bytes:4}  {count}");
+                let label = program.steps.label(name).unwrap_or(name);
+                if let Steps::LookUps = program.steps {
+                    limits::judge(self.target, label, bytes, count)?;
+                }
+                let _ = writeln!(lines, "{label:width$}  code {bytes:4}  {count}");
             }
             self.golden.figures(program.name, "steps", &lines)?;
             for line in lines.lines() {
@@ -127,9 +138,4 @@ impl Bench<'_> {
         }
         Ok(said)
     }
-}
-
-/// Whether it is `module::name`.
-fn is_step(function: &Function, module: &str) -> bool {
-    function.name.strip_prefix(module).is_some_and(|name| !name.contains([':', '<']))
 }

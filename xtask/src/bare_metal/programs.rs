@@ -5,7 +5,7 @@ use super::target::Target;
 use super::toolchain::Toolchain;
 use crate::failure::Result;
 use crate::process;
-use measured::{Steps, play};
+use measured::{play, tours};
 use production_cell::production_cell::Controller;
 use production_cell::random::Random;
 use std::fmt::Write as _;
@@ -19,31 +19,66 @@ pub(crate) struct Program {
     targets: &'static [&'static str],
     /// What it writes when it runs on this machine.
     pub(crate) on_host: Option<fn() -> String>,
-    /// The module whose functions are counted and read.
-    pub(crate) steps: Option<&'static str>,
+    /// Whether what it writes is a log of defmt.
+    pub(crate) logs: bool,
+    /// What is counted and read.
+    pub(crate) steps: Steps,
+}
+
+/// Functions that are counted and read.
+pub(crate) enum Steps {
+    /// None.
+    None,
+    /// Every operation of a module of `measured`.
+    Operations(&'static str),
+    /// `accepts`, of every module in `measured::engines`.
+    LookUps,
+}
+
+impl Steps {
+    /// What a function is called in the figures, if it is one of them.
+    pub(crate) fn label<'f>(&self, function: &'f str) -> Option<&'f str> {
+        let path = function.strip_prefix("measured::")?;
+        let label = match self {
+            Steps::None => return None,
+            Steps::Operations(module) => path.strip_prefix(module)?.strip_prefix("::")?,
+            Steps::LookUps => path.strip_prefix("engines::")?.strip_suffix("::accepts")?,
+        };
+        (!label.contains([':', '<'])).then_some(label)
+    }
 }
 
 const ARM: &[&str] = &["thumb"];
 const EVERY: &[&str] = &["thumb", "riscv32"];
 
 pub(crate) const ALL: &[Program] = &[
-    Program { name: "cell", targets: EVERY, on_host: Some(cell), steps: None },
+    Program { name: "cell", targets: EVERY, on_host: Some(cell), logs: false, steps: Steps::None },
     Program {
         name: "trace",
         targets: EVERY,
         on_host: Some(played::<measured::cell::Controller>),
-        steps: Some("measured::cell::"),
+        logs: false,
+        steps: Steps::Operations("cell"),
     },
     Program {
         name: "thousand",
         targets: EVERY,
         on_host: Some(played::<measured::line::Controller>),
-        steps: Some("measured::line::"),
+        logs: false,
+        steps: Steps::Operations("line"),
     },
-    Program { name: "interrupts", targets: ARM, on_host: None, steps: None },
-    Program { name: "inline", targets: EVERY, on_host: None, steps: None },
-    Program { name: "embassy-task", targets: ARM, on_host: None, steps: None },
-    Program { name: "rtic-application", targets: &["thumbv7m"], on_host: None, steps: None },
+    Program { name: "look-up", targets: EVERY, on_host: Some(toured), logs: false, steps: Steps::LookUps },
+    Program { name: "interrupts", targets: ARM, on_host: None, logs: false, steps: Steps::None },
+    Program { name: "inline", targets: EVERY, on_host: None, logs: false, steps: Steps::None },
+    Program { name: "embassy-task", targets: ARM, on_host: None, logs: false, steps: Steps::None },
+    Program { name: "log", targets: EVERY, on_host: None, logs: true, steps: Steps::None },
+    Program {
+        name: "rtic-application",
+        targets: &["thumbv7m"],
+        on_host: None,
+        logs: false,
+        steps: Steps::None,
+    },
 ];
 
 impl Program {
@@ -58,8 +93,12 @@ impl Program {
     }
 }
 
-fn played<C: Steps>() -> String {
+fn played<C: measured::Steps>() -> String {
     format!("{}\n", play::<C>())
+}
+
+fn toured() -> String {
+    tours().map(|(name, tour)| format!("{name}: {}\n", tour())).collect()
 }
 
 /// As many items as the program has.

@@ -37,7 +37,11 @@ struct Tool {
 
 impl Unpacked {
     pub(crate) fn new(folders: &Folders) -> Self {
-        Unpacked { root: folders.root() }
+        Unpacked::at(folders.root())
+    }
+
+    pub(crate) fn at(root: PathBuf) -> Self {
+        Unpacked { root }
     }
 
     pub(crate) fn rustc(&self) -> PathBuf {
@@ -74,10 +78,19 @@ impl Tool {
     }
 }
 
-/// Cargo, without what it sets for the program that it runs.
+/// Cargo, without what it sets for the program that it runs, and without what would change the figures.
 pub(crate) fn cargo() -> Command {
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo")));
-    for variable in ["RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "RUSTC", "RUSTC_WRAPPER", "CARGO_BUILD_TARGET"] {
+    let variables = [
+        "RUSTFLAGS",
+        "CARGO_ENCODED_RUSTFLAGS",
+        "RUSTC",
+        "RUSTC_WRAPPER",
+        "CARGO_BUILD_TARGET",
+        // Incremental compilation makes other code.
+        "CARGO_INCREMENTAL",
+    ];
+    for variable in variables {
         cargo.env_remove(variable);
     }
     cargo

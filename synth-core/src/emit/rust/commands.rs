@@ -22,10 +22,19 @@ pub(super) fn items(tables: &Tables, idents: &Idents) -> TokenStream {
 pub(super) fn names(tables: &Tables, idents: &Idents) -> TokenStream {
     let items = tables.components.iter().zip(&idents.components).map(|(table, names)| {
         let command = &names.command;
-        let variants = names.commands.iter().map(|command| &command.variant);
-        let texts = table.commands.iter().map(|event| &event.text);
+        let variants = names.commands.iter().map(|command| &command.variant).collect::<Vec<_>>();
+        let texts = table.commands.iter().map(|event| &event.text).collect::<Vec<_>>();
         quote! {
             impl #command {
+                /// The command with a text.
+                #[must_use]
+                pub fn from_text(text: &str) -> ::core::option::Option<Self> {
+                    match text {
+                        #(#texts => ::core::option::Option::Some(Self::#variants),)*
+                        _ => ::core::option::Option::None,
+                    }
+                }
+
                 /// `sender -> receiver.operation(arguments)`.
                 #[must_use]
                 pub const fn text(self) -> &'static str {
@@ -39,6 +48,19 @@ pub(super) fn names(tables: &Tables, idents: &Idents) -> TokenStream {
     quote!(#(#items)*)
 }
 
+/// What there is with feature `serde`, as the runtime wants it.
+pub(super) fn serialized(idents: &Idents) -> TokenStream {
+    let commands = idents.components.iter().map(|component| &component.command).collect::<Vec<_>>();
+    let fields = idents.components.iter().map(|component| &component.field);
+    quote! {
+        struct Commands {
+            #(#fields: #commands,)*
+        }
+        struct Event;
+        #(struct #commands;)*
+    }
+}
+
 fn command(table: &ComponentTable, names: &ComponentIdents) -> TokenStream {
     let ComponentIdents { command, secondary, .. } = names;
     let doc = format!(" Commands to {}.", code(&table.object));
@@ -48,11 +70,13 @@ fn command(table: &ComponentTable, names: &ComponentIdents) -> TokenStream {
     let codes = (1..=table.commands.len()).map(Literal::usize_unsuffixed).collect::<Vec<_>>();
     let ty = code_width(table).ty();
     quote! {
-        #[doc = #doc]
-        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-        #[repr(#ty)]
-        pub enum #command {
-            #(#[doc = #docs] #variants = #codes,)*
+        ::controller_template::formatted! {
+            #[doc = #doc]
+            #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+            #[repr(#ty)]
+            pub enum #command {
+                #(#[doc = #docs] #variants = #codes,)*
+            }
         }
 
         impl #command {
@@ -97,11 +121,13 @@ fn set(tables: &Tables, idents: &Idents) -> TokenStream {
         _ => (quote!(other), quote!(#((self.#fields.is_some() && other.#fields.is_some()))||*)),
     };
     quote! {
-        /// What one call commands: at most one command to each component.
-        #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
-        #[must_use = "a command that is not carried out is lost"]
-        pub struct Commands {
-            #(#[doc = #docs] pub #fields: ::core::option::Option<#types>,)*
+        ::controller_template::formatted! {
+            /// What one call commands: at most one command to each component.
+            #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+            #[must_use = "a command that is not carried out is lost"]
+            pub struct Commands {
+                #(#[doc = #docs] pub #fields: ::core::option::Option<#types>,)*
+            }
         }
 
         impl Commands {

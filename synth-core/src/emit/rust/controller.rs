@@ -4,6 +4,9 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::Options;
+use super::columns::number;
+use super::engine::Rows;
+use crate::controller::calls;
 use crate::controller::tables::Tables;
 
 /// Words of 32 events.
@@ -12,24 +15,37 @@ pub(super) fn words(tables: &Tables) -> usize {
 }
 
 /// The struct and its methods.
-pub(super) fn items(tables: &Tables, options: &Options) -> TokenStream {
+pub(super) fn items(tables: &Tables, options: &Options, rows: &dyn Rows) -> TokenStream {
     let (fields, words, interface) = if options.ordered {
         ("its state", 0, one_at_a_time())
     } else {
         ("its state, and the events that are pending", words(tables), batches())
     };
     let doc = format!(" The controller: {fields}.");
+    let bytes = Literal::usize_unsuffixed(4 * (words + 3));
     let words = Literal::usize_unsuffixed(words);
+    let table_version = number(tables.version());
+    let bounds = bounds(&Bounds::new(tables, rows), options);
     let react = react();
     let queries = queries();
     quote! {
-        #[doc = #doc]
-        #[derive(Clone, PartialEq, Eq, Debug)]
-        pub struct Controller {
-            machine: ::controller_template::Machine<Tables, #words>,
+        ::controller_template::formatted! {
+            #[doc = #doc]
+            #[derive(Clone, PartialEq, Eq, Debug)]
+            pub struct Controller {
+                machine: ::controller_template::Machine<Tables, #words>,
+            }
         }
 
+        /// What a controller is to go on from after a reset.
+        pub type Saved = ::controller_template::Saved<#words, #bytes>;
+
         impl Controller {
+            /// What tables are the same, in every language: [`restore`](Self::restore) refuses what others saved.
+            pub const TABLE_VERSION: u32 = #table_version;
+
+            #bounds
+
             /// In the initial state, with nothing pending.
             #[must_use]
             pub const fn new() -> Self {
@@ -39,6 +55,26 @@ pub(super) fn items(tables: &Tables, options: &Options) -> TokenStream {
             /// Back to [`new`](Self::new).
             pub const fn reset(&mut self) {
                 *self = Self::new();
+            }
+
+            /// What [`restore`](Self::restore) goes on from.
+            #[must_use]
+            pub fn save(&self) -> Saved {
+                self.machine.save()
+            }
+
+            /// As it was when it was saved. What the plant did meanwhile nobody knows.
+            ///
+            /// # Errors
+            ///
+            /// If other tables saved it, or no controller did.
+            pub fn restore(
+                saved: &Saved,
+            ) -> ::core::result::Result<Self, ::controller_template::RestoreError> {
+                match ::controller_template::Machine::restore(saved) {
+                    ::core::result::Result::Ok(machine) => ::core::result::Result::Ok(Self { machine }),
+                    ::core::result::Result::Err(error) => ::core::result::Result::Err(error),
+                }
             }
 
             #interface
@@ -51,6 +87,58 @@ pub(super) fn items(tables: &Tables, options: &Options) -> TokenStream {
                 Self::new()
             }
         }
+    }
+}
+
+/// The most probes of each call, and of [`Controller::accepts`]: a probe is a comparison with an entry of a table.
+pub(super) struct Bounds {
+    pub(super) accepts: u32,
+    pub(super) react: u32,
+    pub(super) cycle: u32,
+    drain: u32,
+}
+
+impl Bounds {
+    pub(super) fn new(tables: &Tables, rows: &dyn Rows) -> Bounds {
+        let (event, super_step) = rows.probes();
+        let probes = |lookups: u64, super_steps: u64| {
+            let events = lookups.saturating_mul(event.into());
+            let all = events.saturating_add(super_steps.saturating_mul(super_step.into()));
+            u32::try_from(all).unwrap_or(u32::MAX)
+        };
+        Bounds {
+            accepts: event,
+            react: probes(1, 1),
+            cycle: probes(calls::lookups_of_cycle(tables), 1),
+            // Every repetition looks for a super step, also the last, which does none.
+            drain: probes(calls::lookups_of_drain(tables), calls::super_steps(tables).saturating_add(1)),
+        }
+    }
+}
+
+/// Constants of `Controller`. A program that takes one event at a time has none pending.
+fn bounds(bounds: &Bounds, options: &Options) -> TokenStream {
+    let Bounds { accepts, react, cycle, drain } = bounds;
+    let [accepts, react, cycle, drain] =
+        [*accepts, *react, if options.ordered { react - accepts } else { *cycle }, *drain].map(number);
+    let drain = (!options.ordered).then(|| {
+        quote! {
+            /// The most probes of a call of [`drain`](Self::drain).
+            pub const DRAIN_PROBES: u32 = #drain;
+        }
+    });
+    quote! {
+        /// The most probes of a look-up of an event, as in [`accepts`](Self::accepts). A probe is a comparison with an
+        /// entry of a table.
+        pub const ACCEPTS_PROBES: u32 = #accepts;
+
+        /// The most probes of a call of [`react`](Self::react).
+        pub const REACT_PROBES: u32 = #react;
+
+        /// The most probes of a call of [`cycle`](Self::cycle).
+        pub const CYCLE_PROBES: u32 = #cycle;
+
+        #drain
     }
 }
 

@@ -6,6 +6,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::Options;
+use super::controller::Bounds;
 use super::engine::Rows;
 use crate::controller::tables::{Requirement, Tables};
 use crate::diagnostic::counted;
@@ -34,6 +35,7 @@ pub(super) fn module(tables: &Tables, options: &Options, engine: &dyn Rows) -> T
 fn costs(text: &mut String, tables: &Tables, options: &Options, engine: &dyn Rows) {
     let events = tables.events.len();
     let (event, step) = engine.probes();
+    let cycle = Bounds::new(tables, engine).cycle;
     let rows = tables.events.iter().map(|table| table.mapping.source.len()).sum::<usize>();
     let _ = write!(
         text,
@@ -46,8 +48,7 @@ fn costs(text: &mut String, tables: &Tables, options: &Options, engine: &dyn Row
         counted(event as usize, "probe"),
     );
     if !options.ordered {
-        // Every pass but the last consumes an event, each of which is pending at most once.
-        let _ = write!(text, " A cycle looks up at most {}.", counted(events * (events + 1) / 2, "event"));
+        let _ = write!(text, " A cycle takes at most {}.", counted(cycle as usize, "probe"));
     }
     text.push('\n');
 }

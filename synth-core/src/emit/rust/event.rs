@@ -11,7 +11,7 @@ use crate::controller::tables::Tables;
 /// The enum, and its conversions to and from positions in table order.
 pub(super) fn items(tables: &Tables, idents: &Idents) -> TokenStream {
     let count = Literal::usize_unsuffixed(tables.events.len());
-    let variants = idents.events.iter().map(|event| &event.variant).collect::<Vec<_>>();
+    let variants = &idents.events;
     let docs = tables.events.iter().map(|table| format!(" {}", code(&table.event.text)));
     // An enum without variants has no representation and nothing to cast.
     let (repr, index) = if tables.events.is_empty() {
@@ -21,11 +21,13 @@ pub(super) fn items(tables: &Tables, idents: &Idents) -> TokenStream {
         (quote!(#[repr(#repr)]), quote!(self as usize))
     };
     quote! {
-        /// Events of the environment, in table order.
-        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-        #repr
-        pub enum Event {
-            #(#[doc = #docs] #variants,)*
+        ::controller_template::formatted! {
+            /// Events of the environment, in table order.
+            #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+            #repr
+            pub enum Event {
+                #(#[doc = #docs] #variants,)*
+            }
         }
 
         impl Event {
@@ -45,7 +47,7 @@ pub(super) fn items(tables: &Tables, idents: &Idents) -> TokenStream {
 /// What there is with feature `names`.
 pub(super) fn names(tables: &Tables, idents: &Idents) -> TokenStream {
     let count = Literal::usize_unsuffixed(tables.events.len());
-    let variants = idents.events.iter().map(|event| &event.variant).collect::<Vec<_>>();
+    let variants = &idents.events;
     let texts = tables.events.iter().map(|table| &table.event.text);
     quote! {
         impl Event {

@@ -13,18 +13,10 @@ use crate::emit::names::{Namer, identifier};
 pub(super) struct Idents {
     /// The module.
     pub(super) module: Ident,
-    /// Per event.
-    pub(super) events: Vec<EventIdents>,
+    /// Per event the variant of `Event`.
+    pub(super) events: Vec<Ident>,
     /// Per component.
     pub(super) components: Vec<ComponentIdents>,
-}
-
-/// Names of an environment event.
-pub(super) struct EventIdents {
-    /// Variant of `Event`.
-    pub(super) variant: Ident,
-    /// Static of its mapping function.
-    pub(super) mapping: Ident,
 }
 
 /// Names of a component.
@@ -61,7 +53,10 @@ impl Idents {
                 ident(&types.name(&camel(&identifier(&format!("{}_command", component.object)))))
             })
             .collect();
-        let events = events(tables, &mut statics);
+        let mut variants = camel_namer();
+        let events = tables.events.iter();
+        let events =
+            events.map(|table| ident(&variants.name(&camel(&identifier(&table.event.text))))).collect();
         let components = tables
             .components
             .iter()
@@ -71,21 +66,6 @@ impl Idents {
         let module = ident(&snake_namer().name(&snake(&identifier(&tables.specification))));
         Idents { module, events, components }
     }
-}
-
-fn events(tables: &Tables, statics: &mut Namer) -> Vec<EventIdents> {
-    let mut variants = camel_namer();
-    tables
-        .events
-        .iter()
-        .map(|table| {
-            let name = identifier(&table.event.text);
-            EventIdents {
-                variant: ident(&variants.name(&camel(&name))),
-                mapping: ident(&statics.name(&screaming(&name))),
-            }
-        })
-        .collect()
 }
 
 fn component(
@@ -137,14 +117,22 @@ fn snake_namer() -> Namer {
 
 /// Types of every generated module; `Self` is a keyword and `ALL` in no danger.
 fn is_own_type(name: &str) -> bool {
-    matches!(name, "Commands" | "Controller" | "Event" | "Self" | "Tables")
+    matches!(name, "Commands" | "Controller" | "Event" | "Saved" | "Self" | "Tables")
 }
 
 /// Statics of every generated module.
 fn is_own_static(name: &str) -> bool {
     matches!(
         name,
-        "COMB" | "COMMAND_SET" | "EVENTS" | "FORMAT_VERSION" | "OWED" | "OWED_SET" | "RUNS" | "SUPER_STEPS"
+        "COMB"
+            | "COMMAND_SET"
+            | "EVENTS"
+            | "FORMAT_VERSION"
+            | "OWED"
+            | "OWED_SET"
+            | "ROWS"
+            | "RUNS"
+            | "SUPER_STEPS"
     )
 }
 

@@ -12,6 +12,7 @@ mod engine;
 mod event;
 mod idents;
 mod layout;
+mod macros;
 pub mod scan;
 mod secondary;
 mod tables;
@@ -41,19 +42,38 @@ pub struct Options {
 #[must_use]
 pub fn module(tables: &Tables, options: &Options) -> TokenStream {
     let idents = Idents::new(tables);
-    let rows = engine::rows(options.engine, tables, &idents);
+    let rows = engine::rows(options.engine, tables);
+    let docs = docs::module(tables, options, &*rows);
     let items = items(tables, &idents, options, &*rows);
-    let names = names(tables, &idents);
-    wrap(
-        tables,
-        &idents,
-        options,
-        &*rows,
-        &quote! {
+    let name = &idents.module;
+    quote! {
+        #docs
+        #[allow(dead_code, unreachable_pub, reason = "no program needs every item")]
+        #[allow(
+            clippy::disallowed_names,
+            clippy::doc_markdown,
+            clippy::enum_variant_names,
+            clippy::module_inception,
+            clippy::module_name_repetitions,
+            clippy::similar_names,
+            clippy::struct_field_names,
+            clippy::upper_case_acronyms,
+            clippy::wrong_self_convention,
+            rustdoc::bare_urls,
+            reason = "names and texts are the specification's"
+        )]
+        #[allow(
+            clippy::many_single_char_names,
+            clippy::too_many_arguments,
+            clippy::too_many_lines,
+            clippy::trivially_copy_pass_by_ref,
+            clippy::type_complexity,
+            reason = "sizes are the specification's"
+        )]
+        pub mod #name {
             #items
-            ::controller_template::names! { #names }
-        },
-    )
+        }
+    }
 }
 
 /// The module as a file to be read: formatted, tables laid out as tables, its origin at the top.
@@ -61,24 +81,9 @@ pub fn module(tables: &Tables, options: &Options) -> TokenStream {
 /// It can be `include!`d. The same tables and options give the same bytes.
 #[must_use]
 pub fn text(tables: &Tables, options: &Options) -> String {
-    // The formatter does not look into macros: to it, the names are a module.
-    const STAND_IN: &str = "mod names_stand_in {";
-    let idents = Idents::new(tables);
-    let rows = engine::rows(options.engine, tables, &idents);
-    let items = items(tables, &idents, options, &*rows);
-    let names = names(tables, &idents);
-    let module = wrap(
-        tables,
-        &idents,
-        options,
-        &*rows,
-        &quote! {
-            #items
-            mod names_stand_in { #names }
-        },
-    );
+    let module = macros::as_modules(module(tables, options));
     let file = syn::parse2(module).expect("generated items are Rust");
-    let formatted = prettyplease::unparse(&file).replace(STAND_IN, "::controller_template::names! {");
+    let formatted = macros::from_modules(&prettyplease::unparse(&file));
     format!("{}{}", header(tables, options.engine), layout::tidy(&formatted))
 }
 
@@ -101,7 +106,7 @@ pub fn name_map(tables: &Tables) -> NameMap {
         program: module.to_string(),
         state: "state".to_owned(),
         owed: "owed".to_owned(),
-        events: inputs.map(|(table, names)| (table.event.text.clone(), names.variant.to_string())).collect(),
+        events: inputs.map(|(table, name)| (table.event.text.clone(), name.to_string())).collect(),
         components: outputs
             .map(|(table, names)| ComponentNames {
                 object: table.object.clone(),
@@ -118,7 +123,10 @@ fn items(tables: &Tables, idents: &Idents, options: &Options, rows: &dyn Rows) -
     let event = event::items(tables, idents);
     let commands = commands::items(tables, idents);
     let secondaries = secondary::items(tables, idents);
-    let controller = controller::items(tables, options);
+    let controller = controller::items(tables, options, rows);
+    let event_names = event::names(tables, idents);
+    let command_names = commands::names(tables, idents);
+    let serialized = commands::serialized(idents);
     let tables = tables::items(tables, idents, rows);
     quote! {
         #controller
@@ -126,57 +134,15 @@ fn items(tables: &Tables, idents: &Idents, options: &Options, rows: &dyn Rows) -
         #commands
         #secondaries
         #tables
+        ::controller_template::names! { #event_names #command_names }
+        ::controller_template::serialized! { #serialized }
     }
 }
 
 /// Bytes of flash of the tables in [`module`], but for what is owed.
 #[must_use]
 pub fn bytes(tables: &Tables, options: &Options) -> usize {
-    engine::bytes(&*engine::rows(options.engine, tables, &Idents::new(tables)))
-}
-
-fn names(tables: &Tables, idents: &Idents) -> TokenStream {
-    let event = event::names(tables, idents);
-    let commands = commands::names(tables, idents);
-    quote!(#event #commands)
-}
-
-fn wrap(
-    tables: &Tables,
-    idents: &Idents,
-    options: &Options,
-    rows: &dyn Rows,
-    items: &TokenStream,
-) -> TokenStream {
-    let name = &idents.module;
-    let docs = docs::module(tables, options, rows);
-    quote! {
-        #docs
-        #[allow(dead_code, unreachable_pub, reason = "no program needs every item")]
-        #[allow(
-            clippy::disallowed_names,
-            clippy::doc_markdown,
-            clippy::enum_variant_names,
-            clippy::module_inception,
-            clippy::module_name_repetitions,
-            clippy::similar_names,
-            clippy::struct_field_names,
-            clippy::upper_case_acronyms,
-            clippy::wrong_self_convention,
-            rustdoc::bare_urls,
-            reason = "names and texts are the specification's"
-        )]
-        #[allow(
-            clippy::many_single_char_names,
-            clippy::too_many_arguments,
-            clippy::too_many_lines,
-            clippy::type_complexity,
-            reason = "sizes are the specification's"
-        )]
-        pub mod #name {
-            #items
-        }
-    }
+    engine::bytes(&*engine::rows(options.engine, tables))
 }
 
 /// The option of the command line that chooses an engine, if it need be said.

@@ -44,7 +44,7 @@ pub(super) fn items(tables: &Tables, idents: &Idents, rows: &dyn Rows) -> TokenS
 /// The marker type and its implementation of the runtime's trait.
 fn marker(tables: &Tables, idents: &Idents, rows: &dyn Rows) -> TokenStream {
     let state = Width::of(tables.states.saturating_sub(1)).ty();
-    let initial = number(tables.initial);
+    let [initial, states] = [tables.initial, tables.states].map(number);
     let environment = environment(tables, rows);
     let super_step = super_step(tables, idents, rows);
     quote! {
@@ -56,6 +56,8 @@ fn marker(tables: &Tables, idents: &Idents, rows: &dyn Rows) -> TokenStream {
             type Event = Event;
             type Commands = Commands;
 
+            const VERSION: u32 = Controller::TABLE_VERSION;
+            const STATES: u32 = #states;
             const INITIAL: #state = #initial;
 
             fn index(event: Event) -> usize {

@@ -20,7 +20,7 @@ pub(super) fn file(names: &ComponentIdents) -> String {
 
 fn template(tables: &Tables, idents: &Idents, table: &ComponentTable, names: &ComponentIdents) -> Template {
     let (module, secondary) = (&idents.module, &names.secondary);
-    let variants: Vec<String> = idents.events.iter().map(|names| names.variant.to_string()).collect();
+    let variants: Vec<String> = idents.events.iter().map(ToString::to_string).collect();
     let sent: Vec<usize> =
         (0..variants.len()).filter(|&event| tables.events[event].event.sender == table.object).collect();
     let interface = {

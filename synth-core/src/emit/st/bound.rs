@@ -1,14 +1,13 @@
 //! What a call costs at most, computed from the tables.
 //!
-//! A cycle consumes each event at most once, because nothing raises events meanwhile, and no more of them than follow
-//! each other without a super step. So the rounds are counted: all but the last consume an event, and the more have
-//! been consumed, the fewer are left to be searched.
+//! The rounds are counted: all but the last consume an event, and the more have been consumed, the fewer are left to be
+//! searched.
 
 use std::ops::{Add, AddAssign, Mul};
 
 use super::block::Block;
 use super::{Trigger, Unexpected, retain};
-use crate::controller::tables::Tables;
+use crate::controller::calls;
 
 /// Costs of a piece of text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -105,13 +104,13 @@ fn run(block: &Block<'_>) -> Cost {
     let waits = cost.wait + refuse(block);
     if block.drains() {
         // Every repetition but the last does a super step, and the last one does none.
-        let steps = super_steps(block.tables, events);
+        let steps = calls::super_steps(block.tables);
         let cycles = steps.saturating_add(1);
         let repeats = Cost { statements: 1, iterations: cycles, probes: 0 };
         let ends = cost.leave.max(waits);
         raise + repeats + consume(&cost, cycles, events) + cost.seek * cycles + cost.perform * steps + ends
     } else {
-        let consumed = events.min(longest_chain(block.tables));
+        let consumed = calls::events(block.tables);
         raise + consume(&cost, 1, consumed) + cost.seek + cost.perform.max(waits)
     }
 }
@@ -159,89 +158,4 @@ pub(super) fn each_event(block: &Block<'_>, statements: u64) -> Cost {
     let events = block.names.events.len() as u64;
     let enters = u64::from(events > 0);
     Cost { statements: enters + statements * events, iterations: events, probes: 0 }
-}
-
-/// The most super steps of a drain: each commands a component for the first time, or nothing; how many of those
-/// follow each other is in the tables, and between two such rows stands an event or a command.
-fn super_steps(tables: &Tables, events: u64) -> u64 {
-    let commanding =
-        tables.components.iter().filter(|c| c.codes.iter().any(|&code| code != 0)).count() as u64;
-    let silent = longest_silence(tables);
-    commanding.saturating_add(silent.saturating_mul(events + commanding + 1))
-}
-
-/// The most super steps in a row that command nothing; there is no circle of them where draining is allowed.
-fn longest_silence(tables: &Tables) -> u64 {
-    let steps = &tables.super_steps;
-    let mut edges = vec![Vec::new(); tables.states as usize];
-    for (row, (&source, &target)) in steps.source.iter().zip(&steps.target).enumerate() {
-        if tables.components.iter().all(|component| component.codes[row] == 0) {
-            edges[source as usize].push(target);
-        }
-    }
-    longest_path(&edges)
-}
-
-/// The most events that follow each other without a super step; unlimited if they can go round in a circle.
-fn longest_chain(tables: &Tables) -> u64 {
-    let mut edges = vec![Vec::new(); tables.states as usize];
-    for mapping in tables.events.iter().map(|table| &table.mapping) {
-        for (&source, &target) in mapping.source.iter().zip(&mapping.target) {
-            edges[source as usize].push(target);
-        }
-    }
-    longest_path(&edges)
-}
-
-/// The number of edges of the longest path, `u64::MAX` if there is a circle.
-fn longest_path(edges: &[Vec<u32>]) -> u64 {
-    let mut open: Vec<u32> = vec![0; edges.len()];
-    for &target in edges.iter().flatten() {
-        open[target as usize] += 1;
-    }
-    // States in topological order; those on a circle, and behind one, never come.
-    let mut order: Vec<u32> =
-        (0..).zip(&open).filter(|(_, open)| **open == 0).map(|(state, _)| state).collect();
-    let mut length = vec![0u64; edges.len()];
-    let mut at = 0;
-    while let Some(&state) = order.get(at) {
-        at += 1;
-        for &target in &edges[state as usize] {
-            length[target as usize] = length[target as usize].max(length[state as usize] + 1);
-            open[target as usize] -= 1;
-            if open[target as usize] == 0 {
-                order.push(target);
-            }
-        }
-    }
-    if order.len() < edges.len() { u64::MAX } else { length.into_iter().max().unwrap_or(0) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[track_caller]
-    fn check(states: usize, edges: &[(u32, u32)], expected: u64) {
-        let mut lists = vec![Vec::new(); states];
-        for &(source, target) in edges {
-            lists[source as usize].push(target);
-        }
-        assert_eq!(longest_path(&lists), expected);
-    }
-
-    #[test]
-    fn longest_paths() {
-        check(0, &[], 0);
-        check(3, &[], 0);
-        check(3, &[(2, 1), (1, 0)], 2);
-        check(4, &[(0, 1), (0, 2), (1, 2), (3, 2)], 2);
-        check(3, &[(0, 1), (0, 1)], 1);
-    }
-
-    #[test]
-    fn circles_have_no_longest_path() {
-        check(1, &[(0, 0)], u64::MAX);
-        check(4, &[(0, 1), (1, 2), (2, 1), (2, 3)], u64::MAX);
-    }
 }

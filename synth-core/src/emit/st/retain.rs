@@ -8,30 +8,6 @@ use super::bound::Cost;
 use super::unit::Section;
 use super::writer::Writer;
 use super::{Trigger, Unexpected};
-use crate::controller::tables::{FORMAT_VERSION, Tables};
-use crate::fnv::Fnv;
-
-/// What retained values mean: two texts have the same version if states and events are the same in both. Not 0, which
-/// memory holds that has never been written, and within all integer types of 32 bits.
-pub(super) fn version(tables: &Tables) -> u32 {
-    let mut hash = Fnv::new();
-    hash.numbers(&[FORMAT_VERSION, tables.states, tables.initial]);
-    hash.text(&tables.specification);
-    for table in &tables.events {
-        hash.text(&table.event.text);
-        hash.numbers(&table.mapping.source);
-        hash.numbers(&table.mapping.target);
-    }
-    hash.numbers(&tables.super_steps.source);
-    hash.numbers(&tables.super_steps.target);
-    for component in &tables.components {
-        hash.text(&component.object);
-        component.commands.iter().for_each(|command| hash.text(&command.text));
-        hash.numbers(&component.codes);
-    }
-    let folded = hash.finish() ^ (hash.finish() >> 32);
-    (folded as u32 & i32::MAX as u32).max(1)
-}
 
 /// Whether a stop has to be remembered.
 fn faults(block: &Block<'_>) -> bool {
@@ -51,7 +27,7 @@ pub(super) fn variables(out: &mut Section, block: &Block<'_>) {
 
 /// At the start of a call: what was kept, or the initial state if other tables kept it.
 pub(super) fn restore(out: &mut Writer, block: &Block<'_>) {
-    let version = version(block.tables);
+    let version = block.tables.version();
     out.when(format_args!("#table_version <> {version}"), |out| {
         out.code(format_args!("#table_version := {version};"));
         out.code(format_args!("#state := {};", block.tables.initial));

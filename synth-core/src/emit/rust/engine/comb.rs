@@ -7,9 +7,9 @@ use quote::quote;
 
 use super::super::columns::{Column, Layout, Width, number};
 use super::super::commands::code_width;
-use super::{Rows, searched};
+use super::Rows;
 use crate::controller::comb;
-use crate::controller::tables::{Mapping, Tables};
+use crate::controller::tables::Tables;
 
 /// The columns of the runtime's `Comb`, and of the super steps.
 pub(super) struct Comb {
@@ -17,18 +17,15 @@ pub(super) struct Comb {
     displacement: Column,
     check: Column,
     target: Column,
-    super_steps: SuperSteps,
+    /// The state of the first super step, if they are of consecutive states.
+    first_step: Option<u32>,
+    /// The number of events.
+    events: u32,
+    /// Per super step.
+    step_target: Column,
     /// Per super step the number of its commands in `codes`.
     command_set: Column,
     codes: Vec<Column>,
-}
-
-/// Super steps, found by their states.
-enum SuperSteps {
-    /// Of consecutive states from the first on: targets.
-    Span(u32, Column),
-    /// Of any states: sources and targets.
-    Mapping(Column, Column),
 }
 
 impl Comb {
@@ -42,7 +39,9 @@ impl Comb {
             displacement: Column::narrow(packed.displacement),
             check: Column::narrow(packed.check),
             target: Column::new(states, packed.target),
-            super_steps: SuperSteps::new(states, &tables.super_steps),
+            first_step: packed.super_steps,
+            events: tables.events.len() as u32,
+            step_target: Column::new(states, tables.super_steps.target.clone()),
             command_set: Column::narrow(set_of),
             codes: codes
                 .map(|(c, table)| Column::new(code_width(table), sets.iter().map(|set| set[c]).collect()))
@@ -57,46 +56,22 @@ impl Comb {
     fn has_rows(&self) -> bool {
         !self.check.numbers().is_empty()
     }
-}
 
-impl SuperSteps {
-    fn new(states: Width, mapping: &Mapping) -> SuperSteps {
-        let target = Column::new(states, mapping.target.clone());
-        match mapping.source[..] {
-            [first, .., last] if (last - first) as usize + 1 == mapping.source.len() => {
-                SuperSteps::Span(first, target)
-            }
-            [first] => SuperSteps::Span(first, target),
-            _ => SuperSteps::Mapping(Column::new(states, mapping.source.clone()), target),
-        }
-    }
-
-    fn columns(&self) -> Vec<&Column> {
-        match self {
-            SuperSteps::Span(_, target) => vec![target],
-            SuperSteps::Mapping(source, target) => vec![source, target],
-        }
-    }
-
-    fn item(&self, layout: Layout) -> TokenStream {
-        let (ty, value) = match self {
-            SuperSteps::Span(first, target) => {
-                let (ty, target, first) = (target.ty(layout), target.value(layout), number(*first));
+    /// The targets of super steps.
+    fn steps(&self, layout: Layout) -> TokenStream {
+        let (ty, target) = (self.step_target.ty(layout), self.step_target.value(layout));
+        let (ty, value) = match self.first_step {
+            Some(first) => {
+                let first = number(first);
                 (
                     quote!(::controller_template::Span<#ty>),
                     quote!(::controller_template::Span::new(#first, #target)),
                 )
             }
-            SuperSteps::Mapping(source, target) => {
-                let (ty, source, target) = (source.ty(layout), source.value(layout), target.value(layout));
-                (
-                    quote!(::controller_template::Mapping<#ty>),
-                    quote!(::controller_template::Mapping::new(#source, #target)),
-                )
-            }
+            None => (ty, target),
         };
         quote! {
-            /// Super steps.
+            /// Targets of super steps.
             static SUPER_STEPS: #ty = #value;
         }
     }
@@ -119,17 +94,11 @@ fn command_sets(tables: &Tables) -> (Vec<Vec<u32>>, Vec<u32>) {
 
 impl Rows for Comb {
     fn columns(&self) -> Vec<&Column> {
-        let mut columns = vec![&self.displacement, &self.check, &self.target, &self.command_set];
-        columns.extend(self.super_steps.columns());
-        columns
+        vec![&self.displacement, &self.check, &self.target, &self.command_set, &self.step_target]
     }
 
     fn probes(&self) -> (u32, u32) {
-        let super_step = match &self.super_steps {
-            SuperSteps::Span(..) => 0,
-            SuperSteps::Mapping(source, _) => searched(source.numbers().len()),
-        };
-        (u32::from(self.has_rows()), super_step)
+        (u32::from(self.has_rows()), u32::from(self.first_step.is_none()))
     }
 
     fn environment(&self) -> TokenStream {
@@ -139,7 +108,18 @@ impl Rows for Comb {
     fn super_step(&self) -> (TokenStream, TokenStream) {
         let commands = (!self.codes.is_empty())
             .then(|| quote!(let row = ::controller_template::Column::index(&COMMAND_SET, step)?;));
-        (quote!(let step = SUPER_STEPS.row(state)?; #commands), quote!(SUPER_STEPS.target(step)))
+        match self.first_step {
+            Some(_) => {
+                (quote!(let step = SUPER_STEPS.row(state)?; #commands), quote!(SUPER_STEPS.target(step)))
+            }
+            None => {
+                let event = number(self.events);
+                (
+                    quote!(let step = COMB.index(#event, state)?; #commands),
+                    quote!(::controller_template::Column::get(&SUPER_STEPS, step)),
+                )
+            }
+        }
     }
 
     fn codes(&self) -> &[Column] {
@@ -162,7 +142,7 @@ impl Rows for Comb {
                 };
             }
         });
-        let steps = self.has_steps().then(|| self.super_steps.item(layout));
+        let steps = self.has_steps().then(|| self.steps(layout));
         let commands = (self.has_steps() && !self.codes.is_empty()).then(|| {
             let (ty, value) = (self.command_set.ty(layout), self.command_set.value(layout));
             quote! {

@@ -9,7 +9,6 @@ use std::str::FromStr;
 use proc_macro2::TokenStream;
 
 use super::columns::{Column, Layout};
-use super::idents::Idents;
 use crate::controller::tables::Tables;
 
 /// How a module finds the row of a state. All do the same.
@@ -18,7 +17,8 @@ pub enum Engine {
     /// [`Engine::Comb`], unless its tables are larger than those of [`Engine::Search`]; then that.
     #[default]
     Auto,
-    /// Two arrays per event and a binary search, as published (Gritzner and Greenyer 2018, section 4): the reference.
+    /// Two arrays per event, those of all events one behind the other, and a binary search, as published (Gritzner and
+    /// Greenyer 2018, section 4): the reference.
     Search,
     /// Runs of consecutive states, and targets of as few bits as they need: the smallest. With more than 2^25 states,
     /// [`Engine::Search`].
@@ -83,14 +83,14 @@ pub(super) trait Rows {
 }
 
 /// The rows as an engine has them.
-pub(super) fn rows<'a>(engine: Engine, tables: &'a Tables, idents: &'a Idents) -> Box<dyn Rows + 'a> {
+pub(super) fn rows(engine: Engine, tables: &Tables) -> Box<dyn Rows> {
     match engine {
         Engine::Auto => {
-            let (comb, search) = (comb::Comb::new(tables), search::Search::new(tables, idents));
+            let (comb, search) = (comb::Comb::new(tables), search::Search::new(tables));
             if bytes(&comb) <= bytes(&search) { Box::new(comb) } else { Box::new(search) }
         }
         Engine::Runs if tables.states <= runs::MOST_STATES => Box::new(runs::Runs::new(tables)),
-        Engine::Runs | Engine::Search => Box::new(search::Search::new(tables, idents)),
+        Engine::Runs | Engine::Search => Box::new(search::Search::new(tables)),
         Engine::Comb => Box::new(comb::Comb::new(tables)),
     }
 }

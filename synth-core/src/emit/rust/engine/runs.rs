@@ -98,8 +98,8 @@ impl Rows for Runs {
     }
 
     fn probes(&self) -> (u32, u32) {
-        // The search, and both ends of the run that it finds.
-        let probes = |runs: u32| runs.max(1).next_power_of_two().ilog2() + 2 * u32::from(runs > 0);
+        // The search, on processors of 32 bits that which may end early, and both ends of the run that it finds.
+        let probes = |runs: u32| runs.checked_ilog2().map_or(0, |log| log + 3);
         (probes(self.most.0), probes(self.most.1))
     }
 

@@ -1,94 +1,96 @@
-//! Two columns per event and a binary search, as published.
+//! Ascending sources, which are searched, and targets: the published tables, one behind the other.
 
-use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::TokenStream;
+use quote::quote;
 
-use super::super::columns::{Column, Layout, Width};
+use super::super::columns::{Column, Layout, Width, number};
 use super::super::commands::code_width;
-use super::super::docs::code;
-use super::super::idents::Idents;
 use super::{Rows, searched};
 use crate::controller::tables::{Mapping, Tables};
 
-/// Sources, searched, and targets.
-pub(super) struct Search<'a> {
-    tables: &'a Tables,
-    idents: &'a Idents,
-    /// Per event with rows.
-    events: Vec<Pair>,
-    super_steps: Pair,
+/// The columns of the runtime's `Mappings`: events in table order, then the super steps.
+pub(super) struct Search {
+    mappings: Mappings,
     codes: Vec<Column>,
+    /// The most rows of an event, and those of the super steps.
+    most: (usize, usize),
 }
 
-/// The columns of a mapping function.
-struct Pair {
+/// Several mapping functions in three columns.
+struct Mappings {
+    first: Column,
     source: Column,
     target: Column,
 }
 
-impl Pair {
-    fn new(states: Width, mapping: &Mapping) -> Pair {
-        let column = |numbers: &Vec<u32>| Column::new(states, numbers.clone());
-        Pair { source: column(&mapping.source), target: column(&mapping.target) }
+impl Mappings {
+    /// One behind the other; the states are `0..states`.
+    fn new<'m>(states: u32, mappings: impl Iterator<Item = &'m Mapping>) -> Mappings {
+        let states = Width::of(states.saturating_sub(1));
+        let mut first = vec![0];
+        let (mut source, mut target) = (Vec::new(), Vec::new());
+        for mapping in mappings {
+            source.extend(&mapping.source);
+            target.extend(&mapping.target);
+            first.push(source.len() as u32);
+        }
+        Mappings {
+            first: Column::narrow(first),
+            source: Column::new(states, source),
+            target: Column::new(states, target),
+        }
     }
 
-    /// `static name: Mapping<…> = …;`
-    fn item(&self, doc: &str, name: &Ident, layout: Layout) -> TokenStream {
-        let ty = self.source.ty(layout);
-        let (source, target) = (self.source.value(layout), self.target.value(layout));
-        quote! {
-            #[doc = #doc]
-            static #name: ::controller_template::Mapping<#ty> =
-                ::controller_template::Mapping::new(#source, #target);
-        }
+    fn columns(&self) -> [&Column; 3] {
+        [&self.first, &self.source, &self.target]
+    }
+
+    /// Type and value.
+    fn item(&self, layout: Layout) -> (TokenStream, TokenStream) {
+        let (first_ty, ty) = (self.first.ty(layout), self.source.ty(layout));
+        let [first, source, target] = self.columns().map(|column| column.value(layout));
+        (
+            quote!(::controller_template::Mappings<#first_ty, #ty>),
+            quote! {
+                ::controller_template::Mappings { first: #first, source: #source, target: #target }
+            },
+        )
     }
 }
 
-impl<'a> Search<'a> {
-    pub(super) fn new(tables: &'a Tables, idents: &'a Idents) -> Search<'a> {
-        let states = Width::of(tables.states.saturating_sub(1));
-        let mappings = tables.events.iter().map(|table| &table.mapping);
+impl Search {
+    pub(super) fn new(tables: &Tables) -> Search {
+        let events = || tables.events.iter().map(|table| &table.mapping);
+        let most = events().map(|mapping| mapping.source.len()).max().unwrap_or(0);
         Search {
-            tables,
-            idents,
-            events: mappings.filter(|m| !m.source.is_empty()).map(|m| Pair::new(states, m)).collect(),
-            super_steps: Pair::new(states, &tables.super_steps),
+            mappings: Mappings::new(tables.states, events().chain([&tables.super_steps])),
             codes: tables.components.iter().map(|c| Column::new(code_width(c), c.codes.clone())).collect(),
+            most: (most, tables.super_steps.source.len()),
         }
-    }
-
-    /// Events with rows, or those without.
-    fn idents(&self, with_rows: bool) -> impl Iterator<Item = &super::super::idents::EventIdents> {
-        let events = self.tables.events.iter().zip(&self.idents.events);
-        events.filter(move |(table, _)| table.mapping.source.is_empty() != with_rows).map(|(_, names)| names)
     }
 }
 
-impl Rows for Search<'_> {
+impl Rows for Search {
     fn columns(&self) -> Vec<&Column> {
-        self.events.iter().chain([&self.super_steps]).flat_map(|pair| [&pair.source, &pair.target]).collect()
+        self.mappings.columns().into()
     }
 
     fn probes(&self) -> (u32, u32) {
-        let probes = |pair: &Pair| searched(pair.source.numbers().len());
-        (self.events.iter().map(probes).max().unwrap_or(0), probes(&self.super_steps))
+        (searched(self.most.0), searched(self.most.1))
     }
 
     fn environment(&self) -> TokenStream {
-        let variants = self.idents(true).map(|names| &names.variant);
-        let mappings = self.idents(true).map(|names| &names.mapping);
-        let never: Vec<_> = self.idents(false).map(|names| &names.variant).collect();
-        let never = (!never.is_empty()).then(|| quote!(#(Event::#never)|* => ::core::option::Option::None,));
-        quote! {
-            match event {
-                #(Event::#variants => #mappings.lookup(state),)*
-                #never
-            }
-        }
+        quote!(ROWS.lookup(event.index(), state))
     }
 
     fn super_step(&self) -> (TokenStream, TokenStream) {
-        (quote!(let row = SUPER_STEPS.row(state)?;), quote!(SUPER_STEPS.target(row)))
+        // Behind all events; one more entry of `first` ends them.
+        let mapping = number(self.mappings.first.numbers().len() as u32 - 2);
+        let row = if self.codes.is_empty() { quote!(_) } else { quote!(row) };
+        (
+            quote!(let (#row, target) = ROWS.row(#mapping, state)?;),
+            quote!(::core::option::Option::Some(target)),
+        )
     }
 
     fn codes(&self) -> &[Column] {
@@ -96,12 +98,13 @@ impl Rows for Search<'_> {
     }
 
     fn statics(&self, layout: Layout) -> TokenStream {
-        let with_rows = self.tables.events.iter().filter(|table| !table.mapping.source.is_empty());
-        let events = with_rows.zip(self.idents(true)).zip(&self.events).map(|((table, names), pair)| {
-            pair.item(&format!(" {}", code(&table.event.text)), &names.mapping, layout)
-        });
-        let steps = (!self.tables.super_steps.source.is_empty())
-            .then(|| self.super_steps.item(" Super steps.", &format_ident!("SUPER_STEPS"), layout));
-        quote!(#(#events)* #steps)
+        if self.mappings.source.numbers().is_empty() {
+            return quote!();
+        }
+        let (ty, value) = self.mappings.item(layout);
+        quote! {
+            /// Events in table order, then the super steps.
+            static ROWS: #ty = #value;
+        }
     }
 }
