@@ -5,7 +5,8 @@
 
 use super::entries::Entries;
 use super::remember::Remembered;
-use super::{ClosedLoop, Condition, EventId, Plant, SignalId};
+use super::{ClosedLoop, Condition, EventId, Plant, Program, SignalId};
+use crate::emit::scan::formula::PLANT;
 use crate::logic::{Bdd, Cover, Expr, Function, Minimal, TooLarge, Var, factor, minimize};
 use hashbrown::HashMap;
 use rustc_hash::FxBuildHasher;
@@ -34,6 +35,18 @@ pub struct Formula {
     pub terms: Result<Minimal, TooLarge>,
     /// With as few instructions as were found.
     pub factored: Expr,
+}
+
+impl Formula {
+    /// In the syntax of plants, with the names of the program's variables: its terms, or where these are too many, factored.
+    #[must_use]
+    pub fn text(&self, program: &Program) -> String {
+        let name = |variable: Var| program.variables[variable as usize].name.clone();
+        match &self.terms {
+            Ok(terms) => terms.cover.text(name, 0),
+            Err(_) => PLANT.text(&self.factored, &name),
+        }
+    }
 }
 
 /// Why there are no formulas.
