@@ -5,7 +5,8 @@ use sml_tests::plant_families::{philosophers, transfer_line};
 use synth_core::diagnostic::Code;
 use synth_core::explore::Limits;
 use synth_core::plant::{
-    ClosedLoop, Figures, Plant, Realization, Reason, SuperviseError, Unavoidable, Why, supervise, why, write_json,
+    ClosedLoop, Figures, Plant, Realization, Reason, SuperviseError, Unavoidable, Why, supervise, why,
+    write_json,
 };
 use synth_core::syntax::FileId;
 

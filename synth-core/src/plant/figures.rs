@@ -36,7 +36,8 @@ impl Program {
     pub fn figures(&self) -> Figures {
         let mut figures = Figures { instructions: 0, stack_depth: 0, rungs: self.rungs.len(), literals: 0 };
         // A range is two comparisons and where their result goes.
-        let ranges = self.variables.iter().filter(|variable| matches!(variable.usage, Use::Range(..))).count();
+        let ranges =
+            self.variables.iter().filter(|variable| matches!(variable.usage, Use::Range(..))).count();
         if ranges > 0 {
             (figures.instructions, figures.stack_depth) = (3 * ranges, 1);
         }

@@ -15,8 +15,7 @@ pub(crate) struct Notation {
 }
 
 /// That of plants, and of Rust.
-pub(crate) static PLANT: Notation =
-    Notation { not: "!", and: "&&", or: "||", constants: ["false", "true"] };
+pub(crate) static PLANT: Notation = Notation { not: "!", and: "&&", or: "||", constants: ["false", "true"] };
 
 /// That of Structured Text.
 pub(in crate::emit) static STRUCTURED: Notation =
