@@ -324,3 +324,18 @@ fn memory_has_rungs_of_its_own() {
     assert!(found["rungs"].as_u64() > Some(4), "{found}");
     assert!(found["formulas"]["fetch"].as_str().expect("a formula").contains("Content_"));
 }
+
+/// Ranges of one analogue input that do not overlap never hold together, so states can be told apart by them.
+#[test]
+fn ranges_tell_states_apart() {
+    let run = sml(&format!("supervise {} --format json", plant("tank")));
+    assert_eq!(run.code, 0, "{}", run.stdout);
+    let formula = run.json()["formulas"]["open"].as_str().expect("a formula").to_owned();
+    let enabled = |on: &[&str]| holds(&formula, &|name| on.contains(&name));
+    // The level rises only while the inlet is open.
+    assert!(enabled(&["Low"]) && enabled(&[]), "{formula}");
+    assert!(!enabled(&["High"]) && !enabled(&["Inlet"]), "{formula}");
+    let text = sml(&format!("export {} --target il", plant("tank"))).stdout;
+    let is_instruction = |line: &&str| !line.is_empty() && !line.starts_with("(*");
+    assert_eq!(text.lines().filter(is_instruction).count() as u64, run.json()["instructions"]);
+}

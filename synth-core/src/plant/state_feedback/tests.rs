@@ -358,7 +358,6 @@ fn rungs_say_what_they_are_for() {
     assert_eq!(
         feedback.program.rungs[2].comment,
         [
-            "Swing the boom to the testing station.",
             "possible in Boom.B2D: 6 of 14 entries enable it",
             "inhibited by RoomToSwing in 8",
         ]
