@@ -21,7 +21,7 @@ fn name(plant: &Plant, event: EventId) -> &str {
     &plant.events[event as usize].name
 }
 
-fn names<'a>(plant: &'a Plant, events: impl IntoIterator<Item = EventId>) -> Vec<&'a str> {
+fn names(plant: &Plant, events: impl IntoIterator<Item = EventId>) -> Vec<&str> {
     events.into_iter().map(|event| name(plant, event)).collect()
 }
 
