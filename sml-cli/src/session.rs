@@ -18,7 +18,7 @@ use synth_core::plant::pipeline::Supervised;
 use synth_core::plant::{self, ClosedLoop, Plant};
 use synth_core::playout::Semantics;
 use synth_core::quality::{self, Policy};
-use synth_core::syntax::{Loaded, decode};
+use synth_core::syntax::{Loaded, decode, shown};
 
 /// Options and clock.
 pub(crate) struct Session {
@@ -103,7 +103,7 @@ impl Session {
             return Err(Failure::usage("`--classic` means nothing to a plant"));
         }
         let mut loaded = Loaded::default();
-        let file = loaded.sources.add(&*given.name, String::from_utf8_lossy(&given.bytes));
+        let file = loaded.sources.add(&*given.name, shown(&given.bytes));
         let read = self.timings.stage("parse", || {
             let text = decode(&given.bytes, file).map_err(|wrong| vec![*wrong])?;
             plant::read(text, file)

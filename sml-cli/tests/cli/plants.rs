@@ -94,12 +94,10 @@ fn a_formula_is_true_where_its_event_is_enabled() {
     let on = |state: &str| match state {
         "I2B" => "X0",
         "I2D" => "Y2 X1",
-        "IMB" => "",
         "BE" => "X6",
-        "BF" => "",
-        "HF" => "",
         "HG" => "Y4",
-        _ => "X5",
+        "HH" => "X5",
+        _ => "",
     };
     for (state, inhibited) in AT_THE_DOCK {
         let on: Vec<&str> = state.split(' ').flat_map(|state| on(state).split(' ')).chain(["X2"]).collect();

@@ -1,6 +1,6 @@
 //! `sml export` and `sml names` of plants.
 
-use crate::support::{listing, plant, scratch, sml};
+use crate::support::{listing, plant, plant_text, scratch, sml, sml_reading};
 use serde_json::Value;
 use std::fs;
 
@@ -124,17 +124,17 @@ fn names_are_those_in_the_text() {
 
 #[test]
 fn a_closed_loop_that_is_too_large_is_not_drawn() {
-    let text = crate::support::plant_text("transfer_line").replacen("plant", "plant", 1);
-    let run = crate::support::sml_reading("export - --target dot --of loop", text.as_bytes());
+    let text = plant_text("transfer_line");
+    let run = sml_reading("export - --target dot --of loop", text.as_bytes());
     assert!(run.code == 0 && run.stdout.contains("closed loop"), "{}", run.stderr);
     let more = text.replacen('{', "{ uncontrollable x uncontrollable y automaton More { initial state A { x -> B } state B { y -> A } }", 1);
-    let run = crate::support::sml_reading("export - --target dot --of loop --format json", more.as_bytes());
+    let run = sml_reading("export - --target dot --of loop --format json", more.as_bytes());
     assert_eq!((run.code, run.diagnostic().as_str()), (2, "SML0108"), "{}", run.stdout);
     assert!(
         run.json()["diagnostics"][0]["message"]
             .as_str()
             .is_some_and(|text: &str| text.contains("100 entries"))
     );
-    let whole: Value = crate::support::sml_reading("export - --target json", more.as_bytes()).json();
+    let whole: Value = sml_reading("export - --target json", more.as_bytes()).json();
     assert_eq!(whole["entries"], 100);
 }
