@@ -45,13 +45,58 @@ pub(crate) fn one_stdin<'a>(paths: impl IntoIterator<Item = &'a PathBuf>) -> Res
     }
 }
 
-/// A specification with everything that it imports, mistakes included. What comes from stdin imports relative to
-/// the working directory.
-pub(crate) fn specification(path: &Path) -> Result<Loaded, Failure> {
+/// A specification or a plant, of which only this is known so far.
+pub(crate) struct Given {
+    pub(crate) name: String,
+    pub(crate) bytes: Vec<u8>,
+    /// By the extension of the file, or the first word of what comes from stdin.
+    pub(crate) is_plant: bool,
+}
+
+/// What a subcommand is about.
+pub(crate) fn given(path: &Path) -> Result<Given, Failure> {
     let bytes = if is_stdin(path) { read_bounded(std::io::stdin().lock()) } else { file(path) };
     let bytes = bytes.map_err(|error| Failure::unreadable(&name(path), &error))?;
+    let is_plant = if is_stdin(path) {
+        std::str::from_utf8(&bytes).is_ok_and(|text| first_word(text) == "plant")
+    } else {
+        path.extension().is_some_and(|extension| extension == "plant")
+    };
+    Ok(Given { name: name(path), bytes, is_plant })
+}
+
+/// The letters behind blanks and comments.
+fn first_word(text: &str) -> &str {
+    let mut rest = text.trim_start_matches('\u{feff}').trim_start();
+    while let Some(behind) = behind_comment(rest) {
+        rest = behind.trim_start();
+    }
+    let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+    &rest[..end]
+}
+
+/// What follows the comment that begins here.
+fn behind_comment(text: &str) -> Option<&str> {
+    if text.starts_with("//") {
+        return Some(text.split_once('\n').map_or("", |(_, behind)| behind));
+    }
+    let mut rest = text.strip_prefix("/*")?;
+    let mut open = 1;
+    while open > 0 {
+        let mark = rest.find(['*', '/'])?;
+        rest = &rest[mark..];
+        let delta = if rest.starts_with("/*") { 1 } else { -i32::from(rest.starts_with("*/")) };
+        open += delta;
+        rest = &rest[if delta == 0 { 1 } else { 2 }..];
+    }
+    Some(rest)
+}
+
+/// A specification with everything that it imports, mistakes included. What comes from stdin imports relative to
+/// the working directory.
+pub(crate) fn specification(given: &Given) -> Loaded {
     let mut imported = |import: &str| file(Path::new(import)).map_err(|error| error.to_string());
-    Ok(load(&name(path), &bytes, &mut imported))
+    load(&given.name, &given.bytes, &mut imported)
 }
 
 /// The text of a file that is not a specification; `code` stands for one that is not UTF-8.
@@ -74,4 +119,27 @@ fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
         std::fs::read(path)
     };
     read.map_err(|error| Failure::unreadable(&name(path), &error))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::first_word;
+
+    #[track_caller]
+    fn check(text: &str, word: &str) {
+        assert_eq!(first_word(text), word, "{text:?}");
+    }
+
+    #[test]
+    fn the_first_word_tells_the_language() {
+        check("plant P { }", "plant");
+        check("\u{feff}\n  /// About it.\n// plant\nplant{", "plant");
+        check("/* a /* nested */ comment */ plant P", "plant");
+        check("/**/plant", "plant");
+        check("plants", "plants");
+        check("specification X { }", "specification");
+        for nothing in ["", "//", "/* /* */ plant", "/*/ plant", "{", "é"] {
+            check(nothing, if nothing == "é" { "é" } else { "" });
+        }
+    }
 }

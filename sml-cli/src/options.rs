@@ -116,6 +116,13 @@ impl Minimize {
     }
 }
 
+impl Minimize {
+    /// Whether something other than the default is asked for.
+    pub(crate) fn is_given(self) -> bool {
+        self.no_minimize || self.minimize != Minimization::Exact
+    }
+}
+
 /// Values of `--minimize`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub(crate) enum Minimization {

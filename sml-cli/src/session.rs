@@ -1,6 +1,7 @@
 //! One run of the command: the stages of the pipeline with the options, the clock and the failures of this run.
 
 use crate::failure::Failure;
+use crate::input::Given;
 use crate::options::{Color, Common, Format};
 use crate::{input, output};
 use std::io::IsTerminal;
@@ -13,15 +14,25 @@ use synth_core::explain::{Explanation, explain};
 use synth_core::explore::{Explored, explore};
 use synth_core::model::Spec;
 use synth_core::pipeline::{self, Options, Solved, Timings, Verified};
+use synth_core::plant::pipeline::Supervised;
+use synth_core::plant::{self, ClosedLoop, Plant};
 use synth_core::playout::Semantics;
 use synth_core::quality::{self, Policy};
-use synth_core::syntax::Loaded;
+use synth_core::syntax::{Loaded, decode, shown};
 
 /// Options and clock.
 pub(crate) struct Session {
     common: Common,
     timings: Timings,
     size: Option<Size>,
+}
+
+/// A plant and the text that it comes from.
+pub(crate) struct ReadPlant {
+    /// One source, and no specification.
+    pub(crate) loaded: Loaded,
+    pub(crate) plant: Plant,
+    pub(crate) warnings: Vec<Diagnostic>,
 }
 
 /// What exploration found, for `--timings`.
@@ -71,8 +82,50 @@ impl Session {
         Options { semantics: self.semantics(), limits: self.common.limits(), level }
     }
 
+    /// A specification, for subcommands that mean nothing to plants.
     pub(crate) fn load(&mut self, path: &Path) -> Result<Loaded, Failure> {
-        self.timings.stage("parse", || input::specification(path))
+        let given = input::given(path)?;
+        if given.is_plant {
+            let failure =
+                Failure::usage(format!("`{}` is a plant, and this is for specifications", given.name));
+            return Err(failure);
+        }
+        Ok(self.parse(&given))
+    }
+
+    pub(crate) fn parse(&mut self, given: &Given) -> Loaded {
+        self.timings.stage("parse", || input::specification(given))
+    }
+
+    /// A plant, with what its text is warned of.
+    pub(crate) fn plant(&mut self, given: &Given) -> Result<ReadPlant, Failure> {
+        if self.semantics().classic {
+            return Err(Failure::usage("`--classic` means nothing to a plant"));
+        }
+        let mut loaded = Loaded::default();
+        let file = loaded.sources.add(&*given.name, shown(&given.bytes));
+        let read = self.timings.stage("parse", || {
+            let text = decode(&given.bytes, file).map_err(|wrong| vec![*wrong])?;
+            plant::read(text, file)
+        });
+        match read {
+            Ok((plant, warnings)) => Ok(ReadPlant { loaded, plant, warnings }),
+            Err(wrong) => Err(Failure::of(&pipeline::Failure::Wrong(wrong), &loaded)),
+        }
+    }
+
+    /// The feedback of a plant, whether or not inputs and outputs show its states.
+    pub(crate) fn feedback(&mut self, plant: &Plant) -> Result<ClosedLoop, pipeline::Failure> {
+        plant::pipeline::feedback(plant, &self.common.limits(), &mut self.timings)
+    }
+
+    /// The feedback of a plant, and the program that does it.
+    pub(crate) fn control(
+        &mut self,
+        plant: &Plant,
+        options: plant::Options,
+    ) -> Result<Supervised, pipeline::Failure> {
+        plant::pipeline::control(plant, &self.common.limits(), options, &mut self.timings)
     }
 
     pub(crate) fn specification(&mut self, loaded: &Loaded) -> Result<Spec, Failure> {

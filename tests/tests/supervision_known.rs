@@ -5,7 +5,8 @@ use sml_tests::plant_families::{philosophers, transfer_line};
 use synth_core::diagnostic::Code;
 use synth_core::explore::Limits;
 use synth_core::plant::{
-    ClosedLoop, Plant, Realization, Reason, SuperviseError, Unavoidable, Why, supervise, why, write_json,
+    ClosedLoop, Figures, Plant, Realization, Reason, SuperviseError, Unavoidable, Why, supervise, why,
+    write_json,
 };
 use synth_core::syntax::FileId;
 
@@ -276,12 +277,10 @@ fn constraints_cut_products_on_the_way() {
 fn json(plant: &Plant, closed: &ClosedLoop) -> serde_json::Value {
     let realization = Realization {
         formulas: vec![("right".to_owned(), "X2 && !X3".to_owned())],
-        instructions: 116,
-        stack_depth: 2,
-        rungs: 6,
+        figures: Figures { instructions: 116, stack_depth: 2, rungs: 6, literals: 80 },
     };
     let mut text = Vec::new();
-    write_json(plant, closed, &realization, &mut text).expect("written");
+    write_json(plant, closed, Some(&realization), &mut text).expect("written");
     serde_json::from_slice(&text).expect("JSON")
 }
 

@@ -2,6 +2,7 @@
 
 mod steps;
 
+use super::plant;
 use crate::failure::{Exit, Failure};
 use crate::options::Format;
 use crate::session::Session;
@@ -21,7 +22,7 @@ use synth_core::syntax::{Loaded, Sources};
 /// Arguments of `sml check`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// The specification; `-` is stdin
+    /// The specification or plant; `-` is stdin
     file: PathBuf,
     #[command(flatten)]
     warnings: Warnings,
@@ -85,7 +86,12 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
         return Err(Failure::usage("`--sequence -` and `--format json` cannot both go to stdout"));
     }
     output::refuse(drawing, &arguments.file)?;
-    let loaded = session.load(&arguments.file)?;
+    let given = input::given(&arguments.file)?;
+    if given.is_plant {
+        plant::refuse(&[("--sequence", drawing.is_some())])?;
+        return plant::check::run(&given, &arguments.warnings.policy(), session);
+    }
+    let loaded = session.parse(&given);
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;
     let policy = arguments.warnings.policy();

@@ -1,9 +1,10 @@
 //! `sml export`: the controller in the language of a target.
 
 mod figures;
-mod stale;
+pub(super) mod stale;
 mod templates;
 
+use super::plant;
 use crate::failure::{Exit, Failure, nowhere};
 use crate::options::{Format, Minimize};
 use crate::session::Session;
@@ -25,24 +26,26 @@ use synth_core::pipeline::provenance;
 /// Arguments of `sml export`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// The specification; `-` is stdin
-    file: PathBuf,
+    /// The specification or plant; `-` is stdin
+    pub(super) file: PathBuf,
     /// What to write
     #[arg(long, value_name = "T")]
-    target: Target,
+    pub(super) target: Target,
     /// Where to write; stdout otherwise
     #[arg(short, long, value_name = "PATH")]
-    output: Option<PathBuf>,
+    pub(super) output: Option<PathBuf>,
     /// Write nothing; fail if PATH is not what would be written, or a template in DIR is missing or stale
     #[arg(long)]
-    check: bool,
+    pub(super) check: bool,
     /// Also write templates of secondaries into this folder, those that are not there yet
     #[arg(long, value_name = "DIR")]
     templates: Option<PathBuf>,
     #[command(flatten)]
     minimize: Minimize,
     #[command(flatten)]
-    warnings: Warnings,
+    pub(super) warnings: Warnings,
+    #[command(flatten)]
+    pub(super) plant: plant::export::Options,
     /// Rust: how the row of a state is found: `auto`, `search`, `runs` or `comb`
     #[arg(long, value_name = "ENGINE")]
     engine: Option<rust::Engine>,
@@ -103,7 +106,7 @@ impl Xml {
         }
     }
 
-    fn dialect(self) -> plcopen::Dialect {
+    pub(super) fn dialect(self) -> plcopen::Dialect {
         match self.dialect {
             Some(Dialect::Codesys) => plcopen::Dialect::Codesys,
             Some(Dialect::Iec) | None => plcopen::Dialect::Iec,
@@ -190,6 +193,11 @@ struct Options {
 pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
     let xml = arguments.text.xml;
     xml.fits(arguments.target)?;
+    let given = input::given(&arguments.file)?;
+    if given.is_plant {
+        return plant::export::run(arguments, &given, session);
+    }
+    arguments.plant.refuse()?;
     let structured_text = arguments.target.structured_text(xml);
     let write = writer(arguments.target, xml)?;
     if structured_text.is_none() && arguments.text.is_given() {
@@ -207,14 +215,10 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     if arguments.templates.is_some() && structured_text.is_none() && arguments.target != Target::Rust {
         return Err(Failure::usage(format!("there are no templates for target `{}`", arguments.target)));
     }
-    if arguments.check && arguments.file_written().is_none() && arguments.templates.is_none() {
-        return Err(Failure::usage(
-            "`--check` needs something to check: a file of `--output`, or `--templates`",
-        ));
-    }
+    arguments.checks_something()?;
     let level = arguments.minimize.level().map_err(Failure::unsupported)?;
     output::refuse(arguments.output.as_deref(), &arguments.file)?;
-    let loaded = session.load(&arguments.file)?;
+    let loaded = session.parse(&given);
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;
     let controller = session.synthesize(&loaded, &mut solved, level)?.controller;
@@ -287,14 +291,7 @@ fn check(
     text: &str,
     secondaries: Option<(&PathBuf, Vec<Template>)>,
 ) -> Result<(), Failure> {
-    let mut found = Found::default();
-    if let Some(path) = arguments.file_written() {
-        stale::compare(&mut found, path, text, || {
-            let output = shell::quoted(&path.display().to_string());
-            let file = shell::input(&input::name(&arguments.file));
-            format!("run `sml export {file} --target {} -o {output}` with the same options", arguments.target)
-        })?;
-    }
+    let mut found = arguments.compare(text)?;
     if let Some((folder, secondaries)) = secondaries {
         templates::check(&mut found, folder, &secondaries)?;
     }
@@ -302,9 +299,53 @@ fn check(
 }
 
 impl Arguments {
+    /// The options that mean nothing to plants, and whether they are given.
+    pub(super) fn of_specifications(&self) -> [(&'static str, bool); 10] {
+        let StructuredText { trigger, unexpected, integers, drain, encoding, owed, retain, .. } = &self.text;
+        [
+            ("--templates", self.templates.is_some()),
+            ("--minimize", self.minimize.is_given()),
+            ("--engine", self.engine.is_some()),
+            ("--trigger", trigger.is_some()),
+            ("--unexpected", unexpected.is_some()),
+            ("--integers", integers.is_some()),
+            ("--drain", *drain),
+            ("--encoding", encoding.is_some()),
+            ("--owed", *owed),
+            ("--retain", *retain),
+        ]
+    }
+
+    pub(super) fn checks_something(&self) -> Result<(), Failure> {
+        if self.check && self.file_written().is_none() && self.templates.is_none() {
+            return Err(Failure::usage(
+                "`--check` needs something to check: a file of `--output`, or `--templates`",
+            ));
+        }
+        Ok(())
+    }
+
+    /// Whose Structured Text PLCopen XML holds.
+    pub(super) fn xml(&self) -> Xml {
+        self.text.xml
+    }
+
     /// What the product is written to, unless that is stdout.
-    fn file_written(&self) -> Option<&Path> {
+    pub(super) fn file_written(&self) -> Option<&Path> {
         self.output.as_deref().filter(|path| path.as_os_str() != "-")
+    }
+
+    /// What is wrong with the file of the product; nothing if there is none.
+    pub(super) fn compare(&self, text: &str) -> Result<Found, Failure> {
+        let mut found = Found::default();
+        if let Some(path) = self.file_written() {
+            stale::compare(&mut found, path, text, || {
+                let output = shell::quoted(&path.display().to_string());
+                let file = shell::input(&input::name(&self.file));
+                format!("run `sml export {file} --target {} -o {output}` with the same options", self.target)
+            })?;
+        }
+        Ok(found)
     }
 
     /// The options that are not a target's own, as far as they change what is written.

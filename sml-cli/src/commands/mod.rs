@@ -6,8 +6,8 @@ mod explain;
 mod export;
 mod graph;
 mod names;
+mod plant;
 mod play;
-mod supervise;
 mod synth;
 mod verify;
 
@@ -34,8 +34,8 @@ pub(crate) enum Command {
     Export(export::Arguments),
     /// Play a specification out, by hand or by script
     Play(play::Arguments),
-    /// Make a state-feedback controller for a plant (not supported yet)
-    Supervise(supervise::Arguments),
+    /// Make a state-feedback controller for a plant
+    Supervise(plant::supervise::Arguments),
     /// Print the long text of a diagnostic
     Explain(explain::Arguments),
 }
@@ -51,7 +51,7 @@ pub(crate) fn run(command: &Command, session: &mut Session) -> Result<Exit, Fail
         Command::Names(arguments) => names::run(arguments, session),
         Command::Export(arguments) => export::run(arguments, session),
         Command::Play(arguments) => play::run(arguments, session),
-        Command::Supervise(_) => supervise::run(),
+        Command::Supervise(arguments) => plant::supervise::run(arguments, session),
         Command::Explain(arguments) => explain::run(arguments, session),
     }
 }

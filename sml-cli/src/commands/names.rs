@@ -1,8 +1,8 @@
 //! `sml names`: what generated code calls events, components and codes.
 
 use crate::failure::{Exit, Failure};
-use crate::output;
 use crate::session::Session;
+use crate::{input, output};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -14,7 +14,7 @@ use synth_core::pipeline::{alphabet, provenance};
 /// Arguments of `sml names`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// The specification; `-` is stdin
+    /// The specification or plant; `-` is stdin
     file: PathBuf,
     /// Whose names
     #[arg(long, value_name = "T")]
@@ -53,6 +53,10 @@ struct Component<'a> {
 pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
     use super::export::Target;
     arguments.xml.fits(arguments.target)?;
+    let given = input::given(&arguments.file)?;
+    if given.is_plant {
+        return super::plant::names::run(&given, arguments.target, arguments.xml, session);
+    }
     let structured_text = arguments.target.structured_text(arguments.xml);
     match arguments.target {
         Target::Rust => {}
@@ -62,7 +66,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
         _ if structured_text.is_some() => {}
         other => return Err(Failure::unsupported(&format!("--target {other}"))),
     }
-    let loaded = session.load(&arguments.file)?;
+    let loaded = session.parse(&given);
     let spec = session.specification(&loaded)?;
     let explored = session.explore(&loaded, &spec)?;
     // Names come from the whole graph, so there is no need to know who wins.

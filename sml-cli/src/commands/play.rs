@@ -13,6 +13,7 @@ mod script;
 mod table;
 mod view;
 
+use super::plant;
 use crate::failure::{Exit, Failure};
 use crate::options::{Format, Minimize};
 use crate::session::Session;
@@ -22,6 +23,7 @@ use dialog::Manners;
 use environment::Adversary;
 use player::Player;
 use script::Script;
+pub(super) use script::place;
 use std::io::IsTerminal as _;
 use std::path::PathBuf;
 use synth_core::diagnostic::Code;
@@ -31,7 +33,7 @@ use table::{Opponent, Table};
 /// Arguments of `sml play`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// The specification; `-` is stdin
+    /// The specification or plant; `-` is stdin
     file: PathBuf,
     /// Events to play, one text a line, and `expect` lines; `#` begins a comment. Without it commands are read from
     /// stdin, `help` lists them
@@ -50,7 +52,12 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let by_hand = PathBuf::from("-");
     input::one_stdin([file, script.as_ref().unwrap_or(&by_hand)])?;
     let level = minimize.level().map_err(Failure::unsupported)?;
-    let loaded = session.load(file)?;
+    let given = input::given(file)?;
+    if given.is_plant {
+        plant::refuse(&[("--strategy", *strategy), ("--minimize", minimize.is_given())])?;
+        return plant::play::run(&given, script.as_deref(), session);
+    }
+    let loaded = session.parse(&given);
     let spec = session.specification(&loaded)?;
     let format = session.format();
     let script = match script {

@@ -120,7 +120,6 @@ fn wrong_usage_is_2() {
 
 #[test]
 fn what_is_not_there_yet_is_2() {
-    check("supervise plant", 2, "SML0101");
     check("synth memory/spec.sml --minimize assume", 2, "SML0101");
     check("cycle memory/spec.sml --stimulus /dev/null --minimize ordered", 2, "SML0101");
     for target in ["ladder", "il", "svg", "html"] {

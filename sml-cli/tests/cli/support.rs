@@ -113,3 +113,13 @@ pub(crate) fn listing(folder: &Path) -> Vec<String> {
     names.sort();
     names
 }
+
+/// A plant of the corpus, as seen from the folder in which the command runs.
+pub(crate) fn plant(name: &str) -> String {
+    format!("../plants/{name}.plant")
+}
+
+/// Its text.
+pub(crate) fn plant_text(name: &str) -> String {
+    std::fs::read_to_string(specs().join(plant(name))).expect("a plant")
+}

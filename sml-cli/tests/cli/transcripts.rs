@@ -54,6 +54,12 @@ fn of_the_page_about_the_command() {
             std::fs::copy(from.join("spec.sml"), to.join("spec.sml")).expect("a copy");
         }
     }
+    let plants = folder.join("tests/plants");
+    std::fs::create_dir_all(&plants).expect("a folder");
+    for plant in std::fs::read_dir(root().join("tests/plants")).expect("the plants") {
+        let from = plant.expect("an entry").path();
+        std::fs::copy(&from, plants.join(from.file_name().expect("a name"))).expect("a copy");
+    }
     let mut checked = 0;
     for entry in transcripts(&page).into_iter().flatten() {
         let shown = entry.shown.join("\n");
@@ -68,5 +74,5 @@ fn of_the_page_about_the_command() {
             checked += 1;
         }
     }
-    assert!(checked >= 4, "{checked}");
+    assert!(checked >= 7, "{checked}");
 }

@@ -333,8 +333,9 @@ codes! {
          adapt it by hand, then take over the head of a template that is written into another folder. Without\n\
          `--check` this is a warning.\n";
     Unfit = 108, "a controller that a target cannot hold",
-        "States, rows or commands outnumber what the target's types can tell apart, or draining would never end.\n\
-         Nothing is written.\n";
+        "States, rows or commands outnumber what the target's types can tell apart, or draining would never end. A\n\
+         plant that declares no inputs and outputs has no rungs; a closed loop of many states is not drawn. Nothing is\n\
+         written.\n";
     FailedExpectation = 109, "an expectation that does not hold",
         "A line of a script for `sml play` says what must hold at this point of the play, and it does not. Lines that\n\
          begin with `-` were expected and are not there, lines with `+` are there and were not expected. The rest of\n\

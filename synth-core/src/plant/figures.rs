@@ -1,12 +1,12 @@
 //! Programs as instruction lists, and their figures.
 
-use super::{Drive, Program, Rung};
+use super::{Drive, Program, Rung, Use};
 use crate::logic::{Instruction, instructions, stack_depth};
 
 /// What a program costs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Figures {
-    /// Instructions of the list, the end of the program not counted.
+    /// Instructions of the list, those of ranges too, the end of the program not counted.
     pub instructions: usize,
     /// How deep the stack of Booleans gets.
     pub stack_depth: usize,
@@ -35,6 +35,12 @@ impl Program {
     #[must_use]
     pub fn figures(&self) -> Figures {
         let mut figures = Figures { instructions: 0, stack_depth: 0, rungs: self.rungs.len(), literals: 0 };
+        // A range is two comparisons and where their result goes.
+        let ranges =
+            self.variables.iter().filter(|variable| matches!(variable.usage, Use::Range(..))).count();
+        if ranges > 0 {
+            (figures.instructions, figures.stack_depth) = (3 * ranges, 1);
+        }
         for rung in &self.rungs {
             let list = rung.instructions();
             figures.instructions += list.len();

@@ -4,8 +4,10 @@
 //! values of inputs and outputs that are no entry at all is free within the chosen policy, and makes it smaller.
 
 use super::entries::Entries;
+use super::readable::samples;
 use super::remember::Remembered;
-use super::{ClosedLoop, Condition, EventId, Plant, SignalId};
+use super::{ClosedLoop, Condition, EventId, Plant, Program, SignalId, SignalKind};
+use crate::emit::scan::formula::PLANT;
 use crate::logic::{Bdd, Cover, Expr, Function, Minimal, TooLarge, Var, factor, minimize};
 use hashbrown::HashMap;
 use rustc_hash::FxBuildHasher;
@@ -34,6 +36,18 @@ pub struct Formula {
     pub terms: Result<Minimal, TooLarge>,
     /// With as few instructions as were found.
     pub factored: Expr,
+}
+
+impl Formula {
+    /// In the syntax of plants, with the names of the program's variables: its terms, or where these are too many, factored.
+    #[must_use]
+    pub fn text(&self, program: &Program) -> String {
+        let name = |variable: Var| program.variables[variable as usize].name.clone();
+        match &self.terms {
+            Ok(terms) => terms.cover.text(name, 0),
+            Err(_) => PLANT.text(&self.factored, &name),
+        }
+    }
 }
 
 /// Why there are no formulas.
@@ -118,6 +132,8 @@ pub(super) struct Bounds<'a> {
     pub(super) position: Vec<Var>,
     /// Per component and state when it is that state.
     pub(super) states: Vec<Vec<Function>>,
+    /// Where every analogue input has some value: ranges that do not overlap never hold together.
+    measurable: Function,
     /// Where some entry can be.
     possible: Function,
     /// Where every component is in some state.
@@ -148,11 +164,33 @@ impl<'a> Bounds<'a> {
             order,
             position,
             states: Vec::new(),
+            measurable: Function::TRUE,
             possible: Function::FALSE,
             decodable: Function::TRUE,
         };
+        bounds.measurable().map_err(|reason| FormulaError::TooLarge { event: None, reason })?;
         bounds.states().map_err(|reason| FormulaError::TooLarge { event: None, reason })?;
         Ok(bounds)
+    }
+
+    fn measurable(&mut self) -> Result<(), TooLarge> {
+        for (input, samples) in (0..).zip(samples(self.plant)).filter(|(_, samples)| !samples.is_empty()) {
+            let mut any = Function::FALSE;
+            for sample in samples {
+                let mut all = Function::TRUE;
+                for (signal, &level) in self.plant.signals.iter().zip(&self.position) {
+                    if let SignalKind::Range { analogue, low, high } = signal.kind
+                        && analogue == input
+                    {
+                        let literal = self.bdd.literal(level, (low..=high).contains(&sample))?;
+                        all = self.bdd.and(all, literal)?;
+                    }
+                }
+                any = self.bdd.or(any, all)?;
+            }
+            self.measurable = self.bdd.and(self.measurable, any)?;
+        }
+        Ok(())
     }
 
     fn states(&mut self) -> Result<(), TooLarge> {
@@ -207,7 +245,7 @@ impl<'a> Bounds<'a> {
             }
             below = here;
         }
-        Ok(below[self.entries.root as usize])
+        self.bdd.and(below[self.entries.root as usize], self.measurable)
     }
 
     /// Where an entry can be in which `event` is enabled, and where one can be in which it is not.
@@ -219,7 +257,7 @@ impl<'a> Bounds<'a> {
     /// The formulas of all controllable events, in the order of the file.
     ///
     /// Each is checked against the feedback: it holds wherever an entry with the event can be, and nowhere where one without
-    /// it can be. With [`DontCare::None`] it holds nowhere else either.
+    /// it can be. With [`DontCare::None`] it holds nowhere else either that analogue inputs have values for.
     pub(super) fn formulas(&mut self) -> Result<Vec<Formula>, FormulaError> {
         let events = 0..self.plant.events.len() as EventId;
         let controllable = events.filter(|&event| self.plant.events[event as usize].controllable);
@@ -258,9 +296,11 @@ impl<'a> Bounds<'a> {
 
     fn upper(&mut self, on: Function, off: Function) -> Result<Function, TooLarge> {
         match self.dont_care {
-            DontCare::None => Ok(on),
+            // What no analogue input can say is free: the controller itself makes Booleans of numbers.
+            DontCare::None => self.bdd.or(on, !self.measurable),
             DontCare::Decodable => {
                 let free = self.bdd.without(self.decodable, self.possible)?;
+                let free = self.bdd.or(free, !self.measurable)?;
                 self.bdd.or(on, free)
             }
             DontCare::All => Ok(!off),
@@ -269,7 +309,7 @@ impl<'a> Bounds<'a> {
 
     fn is_right(&mut self, function: Function, on: Function, off: Function) -> Result<bool, TooLarge> {
         Ok(match self.dont_care {
-            DontCare::None => function == on,
+            DontCare::None => self.bdd.and(function, self.measurable)? == on,
             DontCare::Decodable | DontCare::All => {
                 self.bdd.implies(on, function)? && self.bdd.and(function, off)? == Function::FALSE
             }

@@ -9,9 +9,10 @@
 //! ```
 //!
 //! A state names all components, and behind them the constraint automata that carry memory ([`ClosedLoop::memory`]), so that
-//! states are distinct. `enabled` are controllable events. The plant's figures are `null` if they were not counted.
+//! states are distinct. `enabled` are controllable events. The plant's figures are `null` if they were not counted. Without
+//! a program `formulas` is empty, and its figures are `null`.
 
-use super::{AutomatonId, ClosedLoop, EventId, Plant};
+use super::{AutomatonId, ClosedLoop, EventId, Figures, Plant, StateFeedback};
 use serde_json::{Value as Json, json};
 use std::io::{self, Write};
 
@@ -20,22 +21,29 @@ use std::io::{self, Write};
 pub struct Realization {
     /// Per controllable event, by its name, when it may fire.
     pub formulas: Vec<(String, String)>,
-    /// How many instructions the instruction list has.
-    pub instructions: usize,
-    /// How deep the stack becomes.
-    pub stack_depth: usize,
-    /// How many rungs there are.
-    pub rungs: usize,
+    /// What the program costs.
+    pub figures: Figures,
 }
 
-/// Writes figures, feedback and formulas as one object.
+impl Realization {
+    /// Of a feedback as formulas and as a program.
+    #[must_use]
+    pub fn new(plant: &Plant, feedback: &StateFeedback) -> Self {
+        let formulas = feedback.formulas.iter().map(|formula| {
+            (plant.events[formula.event as usize].name.clone(), formula.text(&feedback.program))
+        });
+        Realization { formulas: formulas.collect(), figures: feedback.program.figures() }
+    }
+}
+
+/// Writes figures, feedback and formulas as one object; without a realization if the plant has no inputs and outputs.
 ///
 /// # Errors
 /// Those of `out`.
 pub fn write_json(
     plant: &Plant,
     closed: &ClosedLoop,
-    realization: &Realization,
+    realization: Option<&Realization>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let (states, transitions) = closed.plant.unzip();
@@ -59,13 +67,14 @@ pub fn write_json(
             names(plant, closed.enabled(plant, entry)),
         )?;
     }
+    let figures = realization.map(|one| one.figures);
     writeln!(
         out,
         "],\n\"formulas\":{},\"instructions\":{},\"stack_depth\":{},\"rungs\":{}}}",
-        formulas(realization),
-        realization.instructions,
-        realization.stack_depth,
-        realization.rungs,
+        formulas(realization.map_or(&[], |one| &one.formulas)),
+        json!(figures.map(|figures| figures.instructions)),
+        json!(figures.map(|figures| figures.stack_depth)),
+        json!(figures.map(|figures| figures.rungs)),
     )
 }
 
@@ -89,8 +98,7 @@ fn names(plant: &Plant, events: impl Iterator<Item = EventId>) -> Json {
     json!(events.map(|event| plant.events[event as usize].name.as_str()).collect::<Vec<_>>())
 }
 
-fn formulas(realization: &Realization) -> String {
-    let members =
-        realization.formulas.iter().map(|(event, text)| format!("{}:{}", json!(event), json!(text)));
+fn formulas(formulas: &[(String, String)]) -> String {
+    let members = formulas.iter().map(|(event, text)| format!("{}:{}", json!(event), json!(text)));
     format!("{{{}}}", members.collect::<Vec<_>>().join(","))
 }

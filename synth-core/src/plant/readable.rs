@@ -70,12 +70,28 @@ fn overlap(first: &State, second: &State, values: &str) -> Diagnostic {
     error.help("add to one of them what the other excludes")
 }
 
+/// By analogue input: values of which at least one makes any ranges true, and all others false, for which there is a value.
+pub(super) fn samples(plant: &Plant) -> Vec<Vec<i64>> {
+    let mut samples = vec![Vec::new(); plant.analogues.len()];
+    for signal in &plant.signals {
+        let SignalKind::Range { analogue, low, high } = signal.kind else { continue };
+        // What is true changes at the ends of ranges only.
+        let ends = [Some(low), high.checked_add(1), low.checked_sub(1)];
+        samples[analogue as usize].extend(ends.into_iter().flatten());
+    }
+    for samples in &mut samples {
+        samples.sort_unstable();
+        samples.dedup();
+    }
+    samples
+}
+
 /// A search for values that make formulas true.
 struct Search<'a> {
     plant: &'a Plant,
     /// What is known of each signal.
     values: Vec<Option<bool>>,
-    /// By analogue input: values of which at least one makes any ranges true that can be true together.
+    /// By analogue input.
     samples: Vec<Vec<i64>>,
     /// Its ranges.
     ranges: Vec<Vec<SignalId>>,
@@ -96,20 +112,14 @@ struct Given {
 
 impl<'a> Search<'a> {
     fn new(plant: &'a Plant) -> Self {
-        let mut samples = vec![Vec::new(); plant.analogues.len()];
         let mut ranges = vec![Vec::new(); plant.analogues.len()];
         for (id, signal) in (0..).zip(&plant.signals) {
-            let SignalKind::Range { analogue, low, high } = signal.kind else { continue };
-            ranges[analogue as usize].push(id);
-            // What is true changes at the ends of ranges only.
-            let ends = [Some(low), high.checked_add(1), low.checked_sub(1)];
-            samples[analogue as usize].extend(ends.into_iter().flatten());
+            if let SignalKind::Range { analogue, .. } = signal.kind {
+                ranges[analogue as usize].push(id);
+            }
         }
-        for samples in &mut samples {
-            samples.sort_unstable();
-            samples.dedup();
-        }
-        Search { plant, values: vec![None; plant.signals.len()], samples, ranges, given: Vec::new() }
+        let values = vec![None; plant.signals.len()];
+        Search { plant, values, samples: samples(plant), ranges, given: Vec::new() }
     }
 
     /// Values that make all `formulas` true, in words, if there are any.

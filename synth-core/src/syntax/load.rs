@@ -1,6 +1,6 @@
 //! A specification with everything that it imports.
 
-use super::{FileId, Sources, Span, ast, decode, is_utf16, parse_text, print};
+use super::{FileId, Sources, Span, ast, decode, parse_text, print, shown};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::fnv::Fnv;
 
@@ -50,9 +50,7 @@ struct Loader<'r> {
 
 impl Loader<'_> {
     fn file(&mut self, path: &str, bytes: &[u8]) {
-        // Of two bytes a character there is nothing to show.
-        let shown = if is_utf16(bytes) { "".into() } else { String::from_utf8_lossy(bytes) };
-        let id = self.loaded.sources.add(path, shown);
+        let id = self.loaded.sources.add(path, shown(bytes));
         let text = match decode(bytes, id) {
             Ok(text) => text,
             Err(diagnostic) => return self.loaded.diagnostics.push(*diagnostic),

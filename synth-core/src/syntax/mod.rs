@@ -14,6 +14,7 @@ mod sources;
 mod span;
 pub(crate) mod tokens;
 
+use std::borrow::Cow;
 use std::io::{self, Read as _};
 
 use proc_macro2::TokenStream;
@@ -144,6 +145,13 @@ pub fn decode(bytes: &[u8], file: FileId) -> Result<&str, Box<Diagnostic>> {
             .note(format!("the byte 0x{:02X} begins no character", bytes[error.valid_up_to()]));
         Box::new(error.help("store the file as UTF-8"))
     })
+}
+
+/// A file of `bytes` as it is shown below messages, whether or not it can be decoded.
+#[must_use]
+pub fn shown(bytes: &[u8]) -> Cow<'_, str> {
+    // Of two bytes a character there is nothing to show.
+    if is_utf16(bytes) { "".into() } else { String::from_utf8_lossy(bytes) }
 }
 
 /// Whether a byte order mark of UTF-16 begins the text, or every second byte of its beginning is zero, as in ASCII.

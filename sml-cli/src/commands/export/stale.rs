@@ -8,7 +8,7 @@ use synth_core::syntax::{Pos, Sources, Span};
 
 /// Diagnostics about files that are no specifications; their texts are not shown.
 #[derive(Default)]
-pub(super) struct Found {
+pub(in crate::commands) struct Found {
     pub(super) diagnostics: Vec<Diagnostic>,
     pub(super) sources: Sources,
 }
@@ -22,7 +22,7 @@ impl Found {
     }
 
     /// Nothing, or why `--check` fails.
-    pub(super) fn failure(self) -> Result<(), Failure> {
+    pub(in crate::commands) fn failure(self) -> Result<(), Failure> {
         if self.diagnostics.is_empty() {
             return Ok(());
         }

@@ -90,7 +90,7 @@ impl Script {
 }
 
 /// A line without the blanks around it.
-fn place(file: FileId, number: u32, line: &str) -> Span {
+pub(in crate::commands) fn place(file: FileId, number: u32, line: &str) -> Span {
     let before = line.chars().take_while(|c| c.is_whitespace()).count() as u32;
     let length = line.trim().chars().count() as u32;
     let pos = |column| Pos { line: number, column };

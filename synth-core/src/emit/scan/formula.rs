@@ -7,7 +7,7 @@ use crate::plant::Condition;
 const TOGETHER: usize = 80;
 
 /// How a language writes expressions; conjunction binds tighter than disjunction in all of them.
-pub(in crate::emit) struct Notation {
+pub(crate) struct Notation {
     not: &'static str,
     and: &'static str,
     or: &'static str,
@@ -15,8 +15,7 @@ pub(in crate::emit) struct Notation {
 }
 
 /// That of plants, and of Rust.
-pub(in crate::emit) static PLANT: Notation =
-    Notation { not: "!", and: "&&", or: "||", constants: ["false", "true"] };
+pub(crate) static PLANT: Notation = Notation { not: "!", and: "&&", or: "||", constants: ["false", "true"] };
 
 /// That of Structured Text.
 pub(in crate::emit) static STRUCTURED: Notation =
@@ -24,7 +23,7 @@ pub(in crate::emit) static STRUCTURED: Notation =
 
 impl Notation {
     /// The expression on one line.
-    pub(in crate::emit) fn text(&self, expr: &Expr, name: &dyn Fn(Var) -> String) -> String {
+    pub(crate) fn text(&self, expr: &Expr, name: &dyn Fn(Var) -> String) -> String {
         self.parts(expr, name).join(" ")
     }
 

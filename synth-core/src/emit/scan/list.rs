@@ -15,10 +15,10 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use super::{Source, origin, rung_lines};
+use super::{NameMap, Source, origin, rung_lines};
 use crate::emit::names::Namer;
-use crate::logic::{Expr, Literal, Var};
-use crate::plant::Drive;
+use crate::logic::{Expr, Instruction, Literal, Var};
+use crate::plant::Rung;
 
 /// Words that no name may be.
 fn is_word(name: &str) -> bool {
@@ -90,11 +90,24 @@ fn comment(out: &mut String, text: &str) {
     let _ = writeln!(out, "(* {} *)", text.trim());
 }
 
-fn blocks(source: &Source<'_>) -> Vec<Block> {
+/// What the list calls signals; nothing else has a name in it.
+#[must_use]
+pub fn names(source: &Source<'_>) -> NameMap {
     let program = source.program;
     let mut namer = Namer::new(is_word).fold_case();
-    let names: Vec<String> = program.variables.iter().map(|variable| namer.name(&variable.name)).collect();
-    let analogues: Vec<String> = program.analogues.iter().map(|name| namer.name(name)).collect();
+    NameMap {
+        target: "il",
+        function_block: String::new(),
+        program: String::new(),
+        variables: program.variables.iter().map(|variable| namer.name(&variable.name)).collect(),
+        analogues: program.analogues.iter().map(|name| namer.name(name)).collect(),
+        events: Vec::new(),
+    }
+}
+
+fn blocks(source: &Source<'_>) -> Vec<Block> {
+    let program = source.program;
+    let NameMap { variables: names, analogues, .. } = names(source);
     let ranges = source.ranges().map(|(variable, analogue, low, high)| {
         let (name, analogue) = (&names[variable as usize], &analogues[analogue as usize]);
         let line = |word: &str, operand: String| (word.to_owned(), operand);
@@ -108,21 +121,17 @@ fn blocks(source: &Source<'_>) -> Vec<Block> {
         }
     });
     let rungs = (1..).zip(&program.rungs).map(|(number, rung)| {
-        let mut lines = Vec::new();
         let mut comment = rung_lines(source, number, rung);
-        if rung.coils.is_empty() {
-            comment.push("It commands nothing.".to_owned());
-        } else {
-            compile(&written(&rung.condition, rung.coils[0].variable), &names, &mut lines);
-        }
-        for coil in &rung.coils {
-            let word = match coil.drive {
-                Drive::Set => "SET",
-                Drive::Reset => "RST",
-                Drive::Out => "OUT",
-            };
-            lines.push((word.to_owned(), names[coil.variable as usize].clone()));
-        }
+        let lines = match rung.coils.first() {
+            Some(coil) => {
+                let rung = Rung { condition: written(&rung.condition, coil.variable), ..rung.clone() };
+                rung.instructions().into_iter().map(|one| line(one, &names)).collect()
+            }
+            None => {
+                comment.push("It commands nothing.".to_owned());
+                Vec::new()
+            }
+        };
         Block { comment, lines }
     });
     ranges.chain(rungs).collect()
@@ -156,47 +165,20 @@ fn written(condition: &Expr, any: Var) -> Expr {
     }
 }
 
-/// Leaves the value of an expression on the stack.
-fn compile(expr: &Expr, names: &[String], out: &mut Vec<(String, String)>) {
-    match expr {
-        // Never left over by `written`.
-        Expr::Constant(_) => {}
-        Expr::Literal(literal) => out.push(("STR".to_owned(), operand(*literal, names))),
-        Expr::And(all) => join(all, "AND", names, out),
-        Expr::Or(any) => join(any, "OR", names, out),
-    }
-}
-
-fn join(terms: &[Expr], word: &str, names: &[String], out: &mut Vec<(String, String)>) {
-    // Whatever is nested comes first, the deepest at the front: a literal joins in one instruction, the rest in a stack.
-    let mut sorted: Vec<&Expr> = terms.iter().collect();
-    sorted.sort_by_key(|term| std::cmp::Reverse(depth(term)));
-    for (index, term) in sorted.into_iter().enumerate() {
-        match term {
-            Expr::Literal(literal) if index > 0 => out.push((word.to_owned(), operand(*literal, names))),
-            _ => {
-                compile(term, names, out);
-                if index > 0 {
-                    out.push((format!("{word}STR"), String::new()));
-                }
-            }
-        }
-    }
-}
-
-/// How much of the stack an expression takes.
-fn depth(expr: &Expr) -> usize {
-    match expr {
-        Expr::Constant(_) | Expr::Literal(_) => 0,
-        Expr::And(parts) | Expr::Or(parts) => {
-            let mut depths: Vec<usize> = parts.iter().map(depth).collect();
-            depths.sort_unstable_by(|a, b| b.cmp(a));
-            let below = |(index, &depth): (usize, &usize)| {
-                if depth == 0 { 0 } else { depth + usize::from(index > 0) }
-            };
-            depths.iter().enumerate().map(below).max().unwrap_or(0).max(1)
-        }
-    }
+/// Word and operand.
+fn line(instruction: Instruction, names: &[String]) -> (String, String) {
+    let name = |variable: Var| names[variable as usize].clone();
+    let (word, operand) = match instruction {
+        Instruction::Str(literal) => ("STR", operand(literal, names)),
+        Instruction::And(literal) => ("AND", operand(literal, names)),
+        Instruction::Or(literal) => ("OR", operand(literal, names)),
+        Instruction::AndStr => ("ANDSTR", String::new()),
+        Instruction::OrStr => ("ORSTR", String::new()),
+        Instruction::Set(variable) => ("SET", name(variable)),
+        Instruction::Reset(variable) => ("RST", name(variable)),
+        Instruction::Out(variable) => ("OUT", name(variable)),
+    };
+    (word.to_owned(), operand)
 }
 
 fn operand(literal: Literal, names: &[String]) -> String {

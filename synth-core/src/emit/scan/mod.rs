@@ -17,7 +17,7 @@
 //! What people read (ladder, instruction list) says names as they were written. Rust and Structured Text have them in their own
 //! case and clear of their own words; what clashes is numbered `_2`, `_3`, …, those of the interface last.
 
-pub(in crate::emit) mod formula;
+pub(crate) mod formula;
 mod head;
 pub mod ladder;
 pub mod list;

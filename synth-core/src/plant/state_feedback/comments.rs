@@ -2,9 +2,9 @@
 
 use crate::plant::{ClosedLoop, EventId, Plant, Rule};
 
-/// The event's own lines, where it is possible, and what inhibits it how often.
+/// Where an event is possible, and what inhibits it how often; back ends know what the event itself says.
 pub(super) fn of_event(plant: &Plant, closed: &ClosedLoop, event: EventId) -> Vec<String> {
-    let mut lines = plant.events[event as usize].doc.clone();
+    let mut lines = Vec::new();
     let places: Vec<String> = plant.automata[..plant.components]
         .iter()
         .filter(|component| component.alphabet.binary_search(&event).is_ok())

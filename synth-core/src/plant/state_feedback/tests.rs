@@ -357,11 +357,7 @@ fn rungs_say_what_they_are_for() {
     let feedback = state_feedback(&plant, &closed_loop(&plant), &[], EXACT).unwrap();
     assert_eq!(
         feedback.program.rungs[2].comment,
-        [
-            "Swing the boom to the testing station.",
-            "possible in Boom.B2D: 6 of 14 entries enable it",
-            "inhibited by RoomToSwing in 8",
-        ]
+        ["possible in Boom.B2D: 6 of 14 entries enable it", "inhibited by RoomToSwing in 8",]
     );
     let drives: Vec<_> =
         feedback.program.rungs[2].coils.iter().map(|coil| (coil.variable, coil.drive)).collect();

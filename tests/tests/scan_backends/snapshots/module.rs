@@ -68,37 +68,55 @@ pub mod distribution_station {
         ///
         /// Push a workpiece onto the loading dock.
         ///
-        /// Where `!Y2 && X0 && !X1 && !X6 && !Y0 && !X2 && X3`: set Y2.
+        /// Where `!Y0 && !Y2 && X0 && !X1 && !X2 && X3 && !X6 && (!Y4 || !Y3 && X5)`: set Y2.
+        ///
+        /// possible in Injector.I2B: 3 of 16 entries enable it
+        /// inhibited by ClearDock in 13
         Inject,
         /// `reset`
         ///
         /// Draw the injector back.
         ///
-        /// Where `Y2 && !X0 && X1 && !Y3 && X5 && !Y1 && X2 && !X3`: reset Y2.
+        /// Where `!Y1 && Y2 && !Y3 && !X0 && X1 && X2 && !X3 && X5`: reset Y2.
+        ///
+        /// possible in Injector.I2D: 2 of 14 entries enable it
+        /// inhibited by TakenFromDock in 12
         Reset,
         /// `right`
         ///
         /// Swing the boom to the testing station.
         ///
-        /// Where `!Y1 && X2 && !X3 && (!Y2 && !X0 || !Y2 && X0 && !X1 && !X6) && (!Y4 && !X5 || !Y3 && X5)`: reset Y0, set Y1.
+        /// Where `!Y1 && !Y2 && X2 && !X3 && (!X0 || !X1 && !X6) && (!Y3 && X5 || !Y4 && !X5)`: reset Y0, set Y1.
+        ///
+        /// possible in Boom.B2D: 6 of 14 entries enable it
+        /// inhibited by RoomToSwing in 8
         Right,
         /// `left`
         ///
         /// Swing the boom to the loading dock.
         ///
-        /// Where `!Y0 && !X2 && X3 && !Y4 && !X5 && (Y2 && !X0 && X1 || X6 && !Y2 && (X0 && !X1 || !X0))`: reset Y1, set Y0.
+        /// Where `!Y0 && !Y4 && !X2 && X3 && !X5 && (Y2 || X6) && (!Y2 || X1) && (!X0 || !X1)`: reset Y1, set Y0.
+        ///
+        /// possible in Boom.B2T: 4 of 24 entries enable it
+        /// inhibited by EmptyHandedBack in 20
         Left,
         /// `grab`
         ///
         /// Vacuum on.
         ///
-        /// Where `!Y4 && !X5 && !Y1 && X2 && !X3 && Y2 && !X0 && X1`: reset Y3, set Y4.
+        /// Where `!Y1 && Y2 && !Y4 && !X0 && X1 && X2 && !X3 && !X5`: reset Y3, set Y4.
+        ///
+        /// possible in Hook.HF: 2 of 24 entries enable it
+        /// inhibited by GrabOnDock in 22
         Grab,
         /// `rls`
         ///
         /// Vacuum off.
         ///
-        /// Where `!Y3 && X5 && !Y0 && !X2 && X3`: reset Y4, set Y3.
+        /// Where `!Y0 && !Y3 && !X2 && X3 && X5 && (!X0 || !X1)`: reset Y4, set Y3.
+        ///
+        /// possible in Hook.HH: 8 of 18 entries enable it
+        /// inhibited by ReleaseAtTesting in 10
         Rls,
     }
 
@@ -174,48 +192,49 @@ pub mod distribution_station {
     pub fn scan(inputs: &Inputs, outputs: &mut Outputs) -> Events {
         let mut events = Events::default();
 
-        if !outputs.y2 && inputs.x0 && !inputs.x1 && !inputs.x6 && !outputs.y0
-            && !inputs.x2 && inputs.x3
+        if !outputs.y0 && !outputs.y2 && inputs.x0 && !inputs.x1 && !inputs.x2
+            && inputs.x3 && !inputs.x6 && (!outputs.y4 || !outputs.y3 && inputs.x5)
         {
             outputs.y2 = true;
             events.insert(Event::Inject);
         }
 
-        if outputs.y2 && !inputs.x0 && inputs.x1 && !outputs.y3 && inputs.x5
-            && !outputs.y1 && inputs.x2 && !inputs.x3
+        if !outputs.y1 && outputs.y2 && !outputs.y3 && !inputs.x0 && inputs.x1
+            && inputs.x2 && !inputs.x3 && inputs.x5
         {
             outputs.y2 = false;
             events.insert(Event::Reset);
         }
 
-        if !outputs.y1 && inputs.x2 && !inputs.x3
-            && (!outputs.y2 && !inputs.x0
-                || !outputs.y2 && inputs.x0 && !inputs.x1 && !inputs.x6)
-            && (!outputs.y4 && !inputs.x5 || !outputs.y3 && inputs.x5)
+        if !outputs.y1 && !outputs.y2 && inputs.x2 && !inputs.x3
+            && (!inputs.x0 || !inputs.x1 && !inputs.x6)
+            && (!outputs.y3 && inputs.x5 || !outputs.y4 && !inputs.x5)
         {
             outputs.y0 = false;
             outputs.y1 = true;
             events.insert(Event::Right);
         }
 
-        if !outputs.y0 && !inputs.x2 && inputs.x3 && !outputs.y4 && !inputs.x5
-            && (outputs.y2 && !inputs.x0 && inputs.x1
-                || inputs.x6 && !outputs.y2 && (inputs.x0 && !inputs.x1 || !inputs.x0))
+        if !outputs.y0 && !outputs.y4 && !inputs.x2 && inputs.x3 && !inputs.x5
+            && (outputs.y2 || inputs.x6) && (!outputs.y2 || inputs.x1)
+            && (!inputs.x0 || !inputs.x1)
         {
             outputs.y1 = false;
             outputs.y0 = true;
             events.insert(Event::Left);
         }
 
-        if !outputs.y4 && !inputs.x5 && !outputs.y1 && inputs.x2 && !inputs.x3
-            && outputs.y2 && !inputs.x0 && inputs.x1
+        if !outputs.y1 && outputs.y2 && !outputs.y4 && !inputs.x0 && inputs.x1
+            && inputs.x2 && !inputs.x3 && !inputs.x5
         {
             outputs.y3 = false;
             outputs.y4 = true;
             events.insert(Event::Grab);
         }
 
-        if !outputs.y3 && inputs.x5 && !outputs.y0 && !inputs.x2 && inputs.x3 {
+        if !outputs.y0 && !outputs.y3 && !inputs.x2 && inputs.x3 && inputs.x5
+            && (!inputs.x0 || !inputs.x1)
+        {
             outputs.y4 = false;
             outputs.y3 = true;
             events.insert(Event::Rls);

@@ -1,0 +1,75 @@
+//! `sml supervise`: state feedback as figures, a table and formulas.
+
+use super::rungs::Rungs;
+use super::{Controlled, control};
+use crate::failure::{Exit, Failure};
+use crate::options::Format;
+use crate::session::{ReadPlant, Session};
+use crate::warnings::{self, Warnings};
+use crate::{input, output};
+use std::path::PathBuf;
+use synth_core::diagnostic::counted;
+use synth_core::plant::{Plant, Realization, write_json};
+
+/// Arguments of `sml supervise`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// The plant; `-` is stdin
+    file: PathBuf,
+    /// Where to write; stdout otherwise
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    rungs: Rungs,
+    #[command(flatten)]
+    warnings: Warnings,
+}
+
+pub(in crate::commands) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
+    let Arguments { file, output, rungs, warnings } = arguments;
+    output::refuse(output.as_deref(), file)?;
+    let given = input::given(file)?;
+    let ReadPlant { loaded, plant, warnings: found } = session.plant(&given)?;
+    let controlled = control(&plant, rungs.options(), session);
+    let controlled = controlled.map_err(|failure| Failure::of(&failure, &loaded))?;
+    warnings::show(found, &warnings.policy(), &loaded, session)?;
+    let text = match session.format() {
+        Format::Json => json(&plant, &controlled),
+        Format::Text => text(&plant, &controlled),
+    };
+    output::product(output.as_deref(), &text)?;
+    Ok(Exit::Done)
+}
+
+fn realization(plant: &Plant, controlled: &Controlled) -> Option<Realization> {
+    controlled.feedback.as_ref().map(|feedback| Realization::new(plant, feedback))
+}
+
+/// Also what `sml export --target json` writes.
+pub(super) fn json(plant: &Plant, controlled: &Controlled) -> String {
+    let mut bytes = Vec::new();
+    let realization = realization(plant, controlled);
+    write_json(plant, &controlled.closed, realization.as_ref(), &mut bytes).expect("memory takes all");
+    String::from_utf8(bytes).expect("JSON is text")
+}
+
+fn text(plant: &Plant, controlled: &Controlled) -> String {
+    let closed = &controlled.closed;
+    let mut text = format!("{}\n{}", closed.figures(), closed.table(plant));
+    match realization(plant, controlled) {
+        None => text.push_str("\nno formulas: the plant declares no inputs and outputs\n"),
+        Some(Realization { formulas, figures }) => {
+            text.push('\n');
+            for (event, formula) in formulas {
+                text.push_str(&format!("{event}: {formula}\n"));
+            }
+            text.push_str(&format!(
+                "\n{}, {} in an instruction list, at most {} on the stack\n",
+                counted(figures.rungs, "rung"),
+                counted(figures.instructions, "instruction"),
+                counted(figures.stack_depth, "Boolean"),
+            ));
+        }
+    }
+    text
+}
