@@ -39,7 +39,7 @@ pub(crate) fn read(text: &str) -> Controller {
         Token::Group(Delimiter::Brace, inner) => Some(inner),
         _ => None,
     });
-    let module = module.expect("a module");
+    let module = items(module.expect("a module"));
     let mut controller = Controller::default();
     let mut doc = "";
     for (at, token) in module.iter().enumerate() {
@@ -65,6 +65,22 @@ pub(crate) fn read(text: &str) -> Controller {
         }
     }
     controller
+}
+
+/// The tokens of a module, and in their place those inside of macros of the runtime, which hand them on.
+fn items(module: &[Token]) -> Vec<Token> {
+    let mut items = Vec::with_capacity(module.len());
+    for token in module {
+        match token {
+            Token::Group(Delimiter::Brace, inner)
+                if items.last().is_some_and(|last: &Token| last.is("!")) =>
+            {
+                items.extend_from_slice(inner);
+            }
+            _ => items.push(token.clone()),
+        }
+    }
+    items
 }
 
 fn event(text: String) -> Event {
