@@ -4,7 +4,8 @@ use crate::{Bits, Number};
 
 /// What a generated module says of its controller.
 ///
-/// A state has rows of environment events or a super step, never both, and every chain of super steps ends.
+/// A state may have rows of environment events and a super step: events go first. Chains of super steps that command
+/// nothing end.
 pub trait Tables {
     /// A state: the narrowest type that holds their number.
     type State: Number;
@@ -150,8 +151,8 @@ impl<T: Tables, const W: usize> Machine<T, W> {
 
     /// Takes one event with its super step.
     ///
-    /// Refuses with `None`, and changes nothing, if the event does not fit the state; none does while a super step is
-    /// due: the initial one, the rest of one that is split, or one that [`drain`](Self::drain) left.
+    /// Refuses with `None`, and changes nothing, if the event does not fit the state. In controllers of scenarios none does
+    /// while a super step is due: the initial one, the rest of one that is split, or one that [`drain`](Self::drain) left.
     /// [`cycle`](Self::cycle) delivers these, one a call. Events that are pending stay so.
     #[inline]
     pub fn react(
@@ -159,7 +160,6 @@ impl<T: Tables, const W: usize> Machine<T, W> {
         event: T::Event,
         observer: &mut impl Observer<T::Event, T::Commands>,
     ) -> Option<T::Commands> {
-        // Where a super step is due there is no row of any event.
         let target = T::environment(event, self.state)?;
         self.enter(event, target, observer);
         Some(match T::super_step(target) {

@@ -66,9 +66,6 @@ impl<'a> Reference<'a> {
 
     /// One event with its super step, or `None`.
     pub fn react(&mut self, event: usize) -> Option<Codes> {
-        if self.due().is_some() {
-            return None;
-        }
         let target = self.accepts(event)?;
         self.enter(Some(event), target);
         Some(match self.due() {

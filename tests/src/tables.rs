@@ -194,18 +194,19 @@ pub struct Size {
     pub components: u32,
 }
 
-/// Tables at random that keep what a controller promises: a state has environment rows or one super step, and every
-/// chain of super steps ends.
+/// Tables at random that keep what a controller promises: every chain of super steps ends. Some states have environment
+/// rows and a super step, as in controllers of plants.
 #[must_use]
 pub fn random(specification: &str, size: Size, seed: u64) -> Tables {
     let random = &mut Random::new(seed);
     let mut random_tables = tables(specification, size.states);
     let stepping: Vec<bool> = (0..size.states).map(|s| s + 1 < size.states && random.below(5) < 2).collect();
+    let waiting: Vec<bool> = stepping.iter().map(|&stepping| !stepping || random.below(4) == 0).collect();
     random_tables.initial = random.below(size.states);
     random_tables.events = (0..size.events)
         .map(|e| {
             let mut rows = Vec::new();
-            for source in (0..size.states).filter(|&state| !stepping[state as usize]) {
+            for source in (0..size.states).filter(|&state| waiting[state as usize]) {
                 if random.below(100) < size.rows {
                     rows.push((source, random.below(size.states)));
                 }

@@ -87,7 +87,7 @@ impl<'a> Machine<'a> {
     }
 
     /// The pending events that fit nowhere: what is pending and has no row in the present state, to be asked after a
-    /// cycle. None while a super step is due, for no event is accepted before its end.
+    /// cycle. None while a super step is due, for what fits nowhere now may fit after it.
     #[must_use]
     pub fn unexpected(&self) -> Vec<u32> {
         if self.due().is_some() {
@@ -132,15 +132,13 @@ impl<'a> Machine<'a> {
 
     /// Takes one event with its super step, and leaves what is pending alone. `None` if the present state does not
     /// accept the event: nothing has happened then. Of a split super step this does the first part; [`Self::cycle`]
-    /// does the others, one a call, and no event is accepted before.
+    /// does the others, one a call, and no event is accepted before. Where a super step is due, only events that have a row
+    /// beside it are accepted: in controllers of scenarios there is none.
     ///
     /// # Panics
     ///
     /// If there is no such event.
     pub fn react(&mut self, event: u32) -> Option<Commands> {
-        if self.due().is_some() {
-            return None;
-        }
         self.state = self.successor(event)?;
         let mut commands = self.nothing();
         if let Some(step) = self.due() {

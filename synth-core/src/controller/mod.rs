@@ -60,9 +60,10 @@ pub struct SuperStep {
 
 /// A controller, already split (at most one command per component in a super step).
 ///
-/// A state has environment rows or one super step, never both; an extra state between two parts of a split super
-/// step has only the super step. A controller that was read may have such states; verification refuses it if one can
-/// be reached.
+/// In a state with environment rows and a super step, events that are pending go first. Only controllers of plants have such
+/// states ([`crate::plant::event_based`]): of a scenario, a state has one or the other, an extra state between two parts
+/// of a split super step has only the super step, and verification refuses a controller that was read if it is otherwise
+/// in a state that can be reached.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Controller {
     /// States are `0..states`.

@@ -19,12 +19,14 @@ pub mod ast;
 mod closed_loop;
 mod condition;
 mod entries;
+pub mod event_based;
 mod figures;
 mod formulas;
 #[cfg(feature = "json")]
 mod json;
 mod loaded;
 mod model;
+mod modular;
 mod moves;
 mod packing;
 mod parse;
@@ -52,6 +54,7 @@ pub use model::{
     Automaton, AutomatonId, Command, Constraint, Edge, Event, EventId, Plant, Rule, Signal, SignalId,
     SignalKind, State, StateRef,
 };
+pub use modular::{Modular, ModularError, Module, modular};
 pub use parse::{RESERVED, parse_text, parse_tokens};
 pub use print::print;
 pub use program::{Coil, Drive, Program, Rung, Use, Variable};

@@ -167,8 +167,8 @@ fn cycle(doc: &str) -> TokenStream {
 /// `react`, which every controller has.
 fn react() -> TokenStream {
     quote! {
-        /// Takes one event with its super step; refuses with `None` an event that does not fit, and any while a
-        /// super step is due. Pending events stay so.
+        /// Takes one event with its super step; refuses with `None` an event that does not fit, as none does where
+        /// only a super step is due. Pending events stay so.
         ///
         /// Of a split super step this is the first part; [`cycle`](Self::cycle) delivers the others, one a call.
         #[must_use]
