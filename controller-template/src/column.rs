@@ -58,7 +58,7 @@ pub trait Column {
     /// Where `number` is among `rows`, which ascend strictly; counted from the column's first.
     fn position(&self, rows: Range<usize>, number: Self::Number) -> Option<usize>;
 
-    /// The last of `rows`, which ascend, that is not above `number`. If all are above, the first or none.
+    /// The last of `rows`, which ascend, that is not above `number`. If all are above, any row, which is above, too, or none.
     fn floor(&self, rows: Range<usize>, number: Self::Number) -> Option<usize>;
 
     /// The number at `index` as an index into another column.

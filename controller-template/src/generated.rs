@@ -66,7 +66,7 @@ macro_rules! serialized {
 
         const _: () = {
             #[derive($crate::serde::Serialize, $crate::serde::Deserialize)]
-            #[serde(crate = "::controller_template::serde", remote = "Commands")]
+            #[serde(crate = "::controller_template::serde", remote = "Commands", deny_unknown_fields)]
             struct Fields {
                 $($field: ::core::option::Option<$command>,)*
             }

@@ -66,7 +66,7 @@ where
     pub fn target(&self, mapping: usize, row: u32) -> Option<T::Number> {
         let width = u32::from(*self.width.as_slice().get(mapping)?);
         let bit = self.start.get(mapping)?.into().wrapping_add(row.wrapping_mul(width));
-        let bytes = self.bits.as_slice().get(bit as usize / 8..)?.first_chunk()?;
+        let bytes = self.bits.as_slice().get((bit / 8) as usize..)?.first_chunk()?;
         let value = u32::from_le_bytes(*bytes) >> (bit % 8) & !(u32::MAX.checked_shl(width)?);
         T::Number::from_u32(self.base.get(mapping)?.into().wrapping_add(value))
     }

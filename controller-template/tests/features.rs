@@ -78,6 +78,8 @@ mod serde {
         assert!(error.contains("`sender -> receiver.operation(arguments)`"), "{error}");
         assert!(serde_json::from_str::<Event>("3").is_err());
         assert!(serde_json::from_str::<C1Command>(r#""ctl -> c0.go()""#).is_err());
+        // A command to a component that there is no more must not get lost.
+        assert!(serde_json::from_str::<Commands>(r#"{"c9":"ctl -> c9.go()","c0":null}"#).is_err());
         // The number of a variant, as a compact format would write it.
         assert!(postcard::from_bytes::<Event>(&[3]).is_err());
     }

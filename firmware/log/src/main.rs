@@ -1,4 +1,4 @@
-//! Logs every transition with defmt: names and texts stay on the host, an event is one byte. In the middle the controller is
+//! Logs every transition with defmt: names and texts stay on the host, an event is three bytes. In the middle the controller is
 //! saved as bytes, as for flash or a backup RAM, and another goes on from them.
 #![no_std]
 #![no_main]

@@ -7,7 +7,7 @@ use super::tables::Tables;
 /// The most super steps of a drain: each commands a component for the first time, or nothing; how many of those
 /// follow each other is in the tables, and between two such rows stands an event or a command.
 pub(crate) fn super_steps(tables: &Tables) -> u64 {
-    let events = tables.events.len() as u64;
+    let events = consumable(tables);
     let commanding =
         tables.components.iter().filter(|c| c.codes.iter().any(|&code| code != 0)).count() as u64;
     let silent = longest_silence(tables);
@@ -28,7 +28,12 @@ fn longest_silence(tables: &Tables) -> u64 {
 
 /// The most events that a cycle consumes: each once, and no more of them than follow each other without a super step.
 pub(crate) fn events(tables: &Tables) -> u64 {
-    longest_chain(tables).min(tables.events.len() as u64)
+    longest_chain(tables).min(consumable(tables))
+}
+
+/// The events that can be consumed at all: an event without rows stays pending.
+fn consumable(tables: &Tables) -> u64 {
+    tables.events.iter().filter(|table| !table.mapping.source.is_empty()).count() as u64
 }
 
 /// The most look-ups of events in a cycle: all are pending, every pass but the last consumes one.
@@ -39,7 +44,7 @@ pub(crate) fn lookups_of_cycle(tables: &Tables) -> u64 {
 /// The most look-ups of events in a drain: every repetition but one consumes nothing, that one does all.
 pub(crate) fn lookups_of_drain(tables: &Tables) -> u64 {
     let all = tables.events.len() as u64;
-    all.saturating_mul(super_steps(tables)).saturating_add(lookups(tables, all))
+    all.saturating_mul(super_steps(tables)).saturating_add(lookups(tables, consumable(tables)))
 }
 
 /// Of passes that consume so many events, one each, and a last one.

@@ -1,6 +1,6 @@
 //! Files of what is expected, `firmware/expected/TARGET/PROGRAM.{run,size,steps}`.
 //!
-//! Output must be equal, whatever compiled the program. Of figures, none may be larger by more than a tenth: they vary a
+//! Output, and how often something was called, must be equal, whatever compiled the program. Of other figures, none may be larger by more than a tenth: they vary a
 //! little with the compiler, and by some bytes even with the folder that is built in. Files say which compiler they are of.
 
 use super::folders::Folders;
@@ -80,6 +80,10 @@ fn compare_figures(expected: &str, now: &str) -> std::result::Result<(), String>
     if expected.len() != now.len() || expected.iter().zip(&now).any(is_other) {
         return Err("it has other lines".to_owned());
     }
+    // How often a program calls something follows from the program, not from its compiler.
+    if calls(&expected) != calls(&now) {
+        return Err("other calls were counted".to_owned());
+    }
     let larger = |(expected, now): (&Word<'_>, &Word<'_>)| match (expected, now) {
         (Ok(expected), Ok(now)) if now * 100 > expected * (100 + TOLERANCE) => Some((*expected, *now)),
         _ => None,
@@ -90,6 +94,11 @@ fn compare_figures(expected: &str, now: &str) -> std::result::Result<(), String>
         }
         None => Ok(()),
     }
+}
+
+/// The numbers behind the word `calls`.
+fn calls<'t>(words: &[Word<'t>]) -> Vec<Word<'t>> {
+    words.windows(2).filter(|pair| pair[0] == Err("calls")).map(|pair| pair[1]).collect()
 }
 
 /// A number, or a word that is none.
@@ -121,6 +130,12 @@ mod tests {
             "rustc 1\ndata 0\n",
             "rustc 2\ndata 1\n",
             Err("1 is more than 10 percent above 0, the figure of rustc 1"),
+        );
+        check("rustc 1\nstep calls 100 min 7\n", "rustc 2\nstep calls 100 min 6\n", Ok(()));
+        check(
+            "rustc 1\nstep calls 100 min 7\n",
+            "rustc 2\nstep calls 99 min 7\n",
+            Err("other calls were counted"),
         );
         check("rustc 1\ntext 100\n", "rustc 2\ndata 100\n", Err("it has other lines"));
         check("rustc 1\na 1\nb 1\n", "rustc 2\na 1\n", Err("it has other lines"));

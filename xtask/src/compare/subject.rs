@@ -2,7 +2,7 @@
 
 use super::line::{Happening, Line, MOST, ORDERS, REPORTS, Shape};
 use std::collections::BTreeMap;
-use synth_core::controller::{Component, Controller, Event, SuperStep};
+use synth_core::controller::{Component, Controller, Event, SuperStep, number};
 
 /// Where an event leads from a state.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -103,8 +103,12 @@ impl Subject {
         Subject { states: kept, events, components, rows, steps }
     }
 
-    /// The same for the back ends, numbered in one order, breadth first, as the pipeline does.
+    /// The same for the back ends, numbered as the pipeline numbers what it emits.
     pub(super) fn controller(&self) -> Controller {
+        number(self.breadth_first())
+    }
+
+    fn breadth_first(&self) -> Controller {
         let (waiting, stepping) = self.numbers();
         let mut environment = vec![Vec::new(); self.events.len()];
         for row in &self.rows {

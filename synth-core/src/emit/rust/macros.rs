@@ -7,11 +7,12 @@ use quote::quote;
 /// The macros that generated modules call.
 const MACROS: [&str; 3] = ["formatted", "names", "serialized"];
 
+/// A name that no specification gives to a module: those are in lower case.
 fn stand_in(name: &str) -> String {
-    format!("{name}_stand_in")
+    format!("{name}_STAND_IN")
 }
 
-/// `::controller_template::names! { … }` becomes `mod names_stand_in { … }`.
+/// `::controller_template::names! { … }` becomes `mod names_STAND_IN { … }`.
 pub(super) fn as_modules(items: TokenStream) -> TokenStream {
     let mut replaced: Vec<TokenTree> = Vec::new();
     let mut items = items.into_iter().peekable();
