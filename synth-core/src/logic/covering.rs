@@ -24,20 +24,35 @@ struct Choice {
 /// comparisons of rows or columns. A row is the list of the columns that meet it.
 pub(super) fn cover(rows: &[Vec<u32>], weights: &[u64], limit: u64, budget: u64) -> Covered {
     let words = weights.len().div_ceil(64);
-    let rows = rows
-        .iter()
-        .map(|row| {
-            let mut bits = vec![0; words];
-            row.iter().for_each(|&column| insert(&mut bits, column));
-            bits
-        })
-        .collect();
+    let bits = |row: &Vec<u32>| {
+        let mut bits = vec![0; words];
+        row.iter().for_each(|&column| insert(&mut bits, column));
+        bits
+    };
     let mut search = Search { weights, budget, exhausted: false };
-    let columns = search.solve(rows, limit).map(|mut choice| {
-        choice.columns.sort_unstable();
-        choice.columns
-    });
+    let columns =
+        search.solve(rows.iter().map(bits).collect(), limit).map(|Choice { mut columns, .. }| {
+            columns.sort_unstable();
+            // A search that was cut off may have taken a column that later ones make needless.
+            if search.exhausted {
+                drop_needless(rows, weights, &mut columns);
+            }
+            columns
+        });
     Covered { columns, proven: !search.exhausted }
+}
+
+/// Drops columns whose rows others meet, the heaviest first. `columns` are ascending.
+fn drop_needless(rows: &[Vec<u32>], weights: &[u64], columns: &mut Vec<u32>) {
+    let mut order = columns.clone();
+    order.sort_by_key(|&column| std::cmp::Reverse(weights[column as usize]));
+    for column in order {
+        let meets = |row: &&Vec<u32>| row.binary_search(&column).is_ok();
+        let others = |row: &Vec<u32>| row.iter().any(|&c| c != column && columns.binary_search(&c).is_ok());
+        if rows.iter().filter(meets).all(others) {
+            columns.retain(|&other| other != column);
+        }
+    }
 }
 
 struct Search<'a> {
