@@ -6,7 +6,7 @@
 //! `4 · 4^jobs` states, numbered by the phases of the jobs, the switch, and whether the system has yielded.
 
 use std::time::Instant;
-use synth_core::game::{Game, KeySetsBuilder, Turn, YIELD, extract, solve};
+use synth_core::game::{Actions, ActionsBuilder, Game, KeySetsBuilder, Turn, YIELD, extract, solve};
 
 const IDLE: usize = 0;
 const STARTED: usize = 1;
@@ -33,6 +33,7 @@ fn main() {
 fn jobs_game(jobs: u32) -> Game {
     let phase = |state: usize, job: u32| state >> (2 * job) & 3;
     let mut sets = KeySetsBuilder::default();
+    let mut actions = ActionsBuilder::default();
     let switch = 1 << (2 * jobs);
     let yielded = 2 * switch;
     let mut game = Game {
@@ -41,9 +42,9 @@ fn jobs_game(jobs: u32) -> Game {
         silent: Vec::new(),
         open: Vec::new(),
         first: vec![0],
-        label: Vec::new(),
+        action: Vec::new(),
+        actions: Actions::default(),
         target: Vec::new(),
-        discharged: Vec::new(),
         key_sets: KeySetsBuilder::default().finish(),
         assumptions: (0..jobs).collect(),
         guarantees: (jobs..2 * jobs).collect(),
@@ -65,22 +66,20 @@ fn jobs_game(jobs: u32) -> Game {
                 _ => 0,
             };
             let next = (state & (yielded - 1)) - (phase << (2 * job)) + (((phase + 1) & 3) << (2 * job));
-            game.label.push(job);
+            game.action.push(actions.intern(job, discharged));
             game.target.push(next as u32);
-            game.discharged.push(discharged);
         }
         if !system {
-            game.label.push(jobs);
+            game.action.push(actions.intern(jobs, 0));
             game.target.push((state & (yielded - 1) ^ switch) as u32);
-            game.discharged.push(0);
         }
         if system {
-            game.label.push(YIELD);
+            game.action.push(actions.intern(YIELD, 0));
             game.target.push((state + yielded) as u32);
-            game.discharged.push(0);
         }
         game.first.push(game.target.len() as u32);
     }
     game.key_sets = sets.finish();
+    game.actions = actions.finish();
     game
 }

@@ -63,13 +63,13 @@ pub fn game(
             return fail(format!("naive {} moves, real {}", mine.len(), edges.len()));
         }
         for (edge, naive_edge) in edges.zip(mine) {
-            let label = game.label[edge];
+            let label = game.label(edge);
             let text = if label == YIELD { "yield".to_owned() } else { playout.event(label).text.clone() };
             let naive_text = naive_edge.event.as_ref().map_or("yield".to_owned(), ToString::to_string);
             if text != naive_text {
                 return fail(format!("naive move `{naive_text}`, real `{text}`"));
             }
-            let discharged = game.key_sets.members(game.discharged[edge]).len();
+            let discharged = game.key_sets.members(game.discharged(edge)).len();
             if naive_edge.discharged.len() != discharged {
                 return fail(format!("`{text}` discharges {:?}, real {discharged}", naive_edge.discharged));
             }

@@ -265,7 +265,7 @@ fn random_play(solved: &Solved<'_>, numbers: &mut Numbers) -> (Vec<String>, Vec<
             let silent = strategy.starves(at).is_some();
             return (play, if silent { vec![SILENCE.to_owned()] } else { Vec::new() });
         };
-        play.push(match game.label[edge as usize] {
+        play.push(match game.label(edge as usize) {
             YIELD => "yield".to_owned(),
             event => solved.explored.playout.event(event).text.clone(),
         });

@@ -59,7 +59,7 @@ pub fn merge(
             super_steps.push(SuperStep { source, target: walk.visit(end), events });
         } else {
             for edge in strategy.edges_of(node) {
-                let event = vocabulary.index[game.label[strategy.edge[edge] as usize] as usize];
+                let event = vocabulary.index[game.label(strategy.edge[edge] as usize) as usize];
                 let target = walk.visit(strategy.target[edge]);
                 environment[event as usize].push((source, target));
             }
@@ -113,7 +113,7 @@ impl Vocabulary {
     fn new(game: &Game, alphabet: &Alphabet) -> Self {
         let letters = &alphabet.letters;
         let mut occurs = vec![false; letters.len()];
-        for &label in game.label.iter().filter(|&&label| label != YIELD) {
+        for label in game.actions.labels().filter(|&label| label != YIELD) {
             occurs[label as usize] = true;
         }
         let mut ids: Vec<u32> = (0..letters.len() as u32).filter(|&id| occurs[id as usize]).collect();
@@ -178,7 +178,7 @@ impl<'a> Walk<'a> {
             return None;
         }
         let edge = self.strategy.edges_of(node).next()?;
-        Some((self.game.label[self.strategy.edge[edge] as usize], self.strategy.target[edge]))
+        Some((self.game.label(self.strategy.edge[edge] as usize), self.strategy.target[edge]))
     }
 
     /// The state for a node that is entered; yields are skipped (one yield leads to the environment's turn).
@@ -229,7 +229,7 @@ mod tests {
     use super::super::fixtures::{show, trim};
     use super::super::{Letter, cycle::Machine};
     use super::*;
-    use crate::game::{KeySetsBuilder, Strategy, Turn};
+    use crate::game::{Actions, ActionsBuilder, KeySetsBuilder, Strategy, Turn};
     use proptest::prelude::{any, prop, prop_assert, prop_assert_eq, prop_oneof, proptest};
     use proptest::strategy::Strategy as Generator;
     use std::collections::BTreeSet;
@@ -284,13 +284,14 @@ mod tests {
             silent: vec![false; nodes.len()],
             open: vec![0; nodes.len()],
             first: vec![0],
-            label: Vec::new(),
+            action: Vec::new(),
             target: Vec::new(),
-            discharged: Vec::new(),
+            actions: Actions::default(),
             key_sets: KeySetsBuilder::default().finish(),
             assumptions: Vec::new(),
             guarantees: Vec::new(),
         };
+        let mut actions = ActionsBuilder::default();
         let mut strategy = Strategy {
             state: (0..nodes.len() as u32).collect(),
             first: vec![0],
@@ -301,16 +302,16 @@ mod tests {
             game.turn.push(if *system { Turn::SystemEventually } else { Turn::EnvironmentAny });
             for (i, (short, target)) in edges.iter().enumerate() {
                 if !system || i == 0 {
-                    strategy.edge.push(game.label.len() as u32);
+                    strategy.edge.push(game.action.len() as u32);
                     strategy.target.push(*target);
                 }
-                game.label.push(id(*system, short));
+                game.action.push(actions.intern(id(*system, short), 0));
                 game.target.push(*target);
-                game.discharged.push(0);
             }
-            game.first.push(game.label.len() as u32);
+            game.first.push(game.action.len() as u32);
             strategy.first.push(strategy.edge.len() as u32);
         }
+        game.actions = actions.finish();
         (game, strategy)
     }
 

@@ -79,7 +79,7 @@ impl<'s> Basis<'_, 's> {
 
     /// The event of an edge, none for a yield.
     fn event(&self, edge: u32) -> Option<&Event> {
-        let label = self.solved.explored.game.label[edge as usize];
+        let label = self.solved.explored.game.label(edge as usize);
         (label != YIELD).then(|| self.solved.explored.playout.event(label))
     }
 
@@ -148,7 +148,7 @@ impl<'s> Basis<'_, 's> {
     /// Everything that happens in the game.
     fn happenings(&self) -> Vec<Phrase> {
         let Explored { playout, game, .. } = &self.solved.explored;
-        let labels: BTreeSet<u32> = game.label.iter().copied().filter(|&label| label != YIELD).collect();
+        let labels: BTreeSet<u32> = game.actions.labels().filter(|&label| label != YIELD).collect();
         labels.iter().map(|&label| Phrase::of_event(self.spec(), playout.event(label))).collect()
     }
 
@@ -302,7 +302,7 @@ impl<'s> Basis<'_, 's> {
             ends = ends
                 || copies().any(|copy| copy.scenario == assumption)
                     && game.edges_of(state).any(|edge| {
-                        let label = game.label[edge];
+                        let label = game.label(edge);
                         label != YIELD && candidate.end.matches(playout.spec(), playout.event(label))
                     });
             if opens && ends {

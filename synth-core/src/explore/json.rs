@@ -67,7 +67,7 @@ impl<'e, 's> Cache<'e, 's> {
         let mut shown = BTreeSet::new();
         shown.extend(game.assumptions.iter().chain(&game.guarantees).copied());
         let mut used = vec![false; game.key_sets.len()];
-        game.discharged.iter().for_each(|&set| used[set as usize] = true);
+        game.actions.discharged_sets().for_each(|set| used[set as usize] = true);
         let used = (0..game.key_sets.len() as u32).filter(|&set| used[set as usize]);
         shown.extend(used.flat_map(|set| game.key_sets.members(set)));
         let keys: Vec<KeyId> = shown.into_iter().collect();
@@ -117,9 +117,9 @@ impl<'e, 's> Cache<'e, 's> {
 
     fn edge(&self, source: StateId, edge: usize, out: &mut dyn Write) -> io::Result<()> {
         let game = &self.explored.game;
-        let (label, target) = (game.label[edge], game.target[edge]);
+        let (label, target) = (game.label(edge), game.target[edge]);
         let text = if label == YIELD { "\"yield\"" } else { &self.events[label as usize] };
-        let discharged = &self.sets[game.discharged[edge] as usize];
+        let discharged = &self.sets[game.discharged(edge) as usize];
         write!(out, "[{source},{text},{target},{discharged}]")
     }
 }

@@ -12,7 +12,7 @@ pub use json::write_json;
 pub use store::{StateId, StateStore};
 
 use crate::diagnostic::counted;
-use crate::game::{Game, KeySets, KeySetsBuilder, ShortestPaths, Turn, YIELD};
+use crate::game::{ActionsBuilder, Game, KeySets, KeySetsBuilder, ShortestPaths, Turn, YIELD};
 use crate::model::{Kind, Spec};
 use crate::playout::{Config, EventId, KeyId, Move, Moves, PlayError, Playout, Semantics};
 use std::fmt;
@@ -21,7 +21,7 @@ impl Explored<'_> {
     /// The text of an edge of the game.
     #[must_use]
     pub fn text(&self, edge: usize) -> &str {
-        self.playout.text(event_of(self.game.label[edge]))
+        self.playout.text(event_of(self.game.label(edge)))
     }
 }
 
@@ -129,6 +129,7 @@ pub fn explore_with(playout: &mut Playout<'_>, limits: &Limits) -> Result<(State
         store: StateStore::default(),
         graph: Graph { first: vec![0], ..Graph::default() },
         sets: KeySetsBuilder::default(),
+        actions: ActionsBuilder::default(),
     };
     explorer.store.intern(explorer.playout, &initial);
     explorer.run(limits)?;
@@ -152,9 +153,8 @@ struct Graph {
     silent: Vec<bool>,
     open: Vec<u32>,
     first: Vec<u32>,
-    label: Vec<u32>,
+    action: Vec<u32>,
     target: Vec<u32>,
-    discharged: Vec<u32>,
 }
 
 struct Explorer<'p, 's> {
@@ -162,6 +162,7 @@ struct Explorer<'p, 's> {
     store: StateStore,
     graph: Graph,
     sets: KeySetsBuilder,
+    actions: ActionsBuilder,
 }
 
 impl Explorer<'_, '_> {
@@ -199,9 +200,9 @@ impl Explorer<'_, '_> {
             Some(Turn::Won) => WON,
             Some(_) => LOST,
         };
-        self.graph.label.push(one.event.unwrap_or(YIELD));
+        let discharged = self.sets.intern(&one.discharged);
+        self.graph.action.push(self.actions.intern(one.event.unwrap_or(YIELD), discharged));
         self.graph.target.push(target);
-        self.graph.discharged.push(self.sets.intern(&one.discharged));
     }
 
     fn check_size(&self, limits: &Limits) -> Result<(), ExploreError> {
@@ -231,7 +232,7 @@ impl Explorer<'_, '_> {
 
     fn memory(&self) -> usize {
         let graph = &self.graph;
-        let per_edge = 3 * size_of::<u32>();
+        let per_edge = 2 * size_of::<u32>();
         let per_state = 2 * size_of::<u32>() + 2;
         self.store.memory()
             + self.playout.memory()
@@ -241,15 +242,15 @@ impl Explorer<'_, '_> {
 
     /// The shortest play to a state, and then the event that met a mistake there.
     fn play_to(&self, state: StateId, event: Option<EventId>) -> Vec<String> {
-        let Graph { first, label, target, .. } = &self.graph;
+        let Graph { first, action, target, .. } = &self.graph;
         let path = ShortestPaths::new(self.store.len(), first, target).to(state);
-        let labels = path.into_iter().map(|edge| label[edge]).chain(event);
+        let labels = path.into_iter().map(|edge| self.actions.label(action[edge])).chain(event);
         labels.map(|label| self.playout.text(event_of(label)).to_owned()).collect()
     }
 
     fn finish(self) -> (StateStore, Game) {
-        let Explorer { playout, store, graph, sets } = self;
-        let Graph { mut turn, mut silent, mut open, mut first, label, mut target, discharged } = graph;
+        let Explorer { playout, store, graph, sets, actions } = self;
+        let Graph { mut turn, mut silent, mut open, mut first, action, mut target } = graph;
         for (placeholder, end) in [(LOST, Turn::Lost), (WON, Turn::Won)] {
             if target.contains(&placeholder) {
                 let id = turn.len() as u32;
@@ -257,7 +258,7 @@ impl Explorer<'_, '_> {
                 turn.push(end);
                 silent.push(false);
                 open.push(0);
-                first.push(label.len() as u32);
+                first.push(action.len() as u32);
             }
         }
         let key_sets = sets.finish();
@@ -274,9 +275,9 @@ impl Explorer<'_, '_> {
             silent,
             open,
             first,
-            label,
+            action,
             target,
-            discharged,
+            actions: actions.finish(),
             key_sets,
             assumptions,
             guarantees,

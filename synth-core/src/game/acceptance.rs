@@ -8,8 +8,8 @@ use fixedbitset::FixedBitSet;
 pub(super) struct Acceptance {
     /// The states that do *not* accept: the key is open there.
     pub(super) open: FixedBitSet,
-    /// Per set of discharged keys: an edge with that set accepts.
-    discharging: Vec<bool>,
+    /// Per action: an edge with it accepts, since it discharges the key.
+    accepting: Vec<bool>,
 }
 
 impl Acceptance {
@@ -31,7 +31,7 @@ impl Acceptance {
         for (state, turn) in game.turn.iter().enumerate() {
             open.set(state, turn.is_system());
         }
-        goals.push(Acceptance { open, discharging: vec![false; game.key_sets.len()] });
+        goals.push(Acceptance { open, accepting: vec![false; game.actions.len()] });
         goals
     }
 
@@ -39,7 +39,7 @@ impl Acceptance {
     pub(super) fn never(game: &Game) -> Acceptance {
         let mut open = FixedBitSet::with_capacity(game.states());
         open.insert_range(..);
-        Acceptance { open, discharging: vec![false; game.key_sets.len()] }
+        Acceptance { open, accepting: vec![false; game.actions.len()] }
     }
 
     fn of_keys(game: &Game, keys: &[u32]) -> Vec<Acceptance> {
@@ -51,13 +51,14 @@ impl Acceptance {
                     open.insert(state);
                 }
             }
-            Acceptance { open, discharging: containing }
+            let accepting = game.actions.discharged_sets().map(|set| containing[set as usize]).collect();
+            Acceptance { open, accepting }
         };
         keys.iter().map(of_key).collect()
     }
 
-    /// Whether a step that discharges this set of keys accepts.
-    pub(super) fn accepts(&self, discharged: u32) -> bool {
-        self.discharging[discharged as usize]
+    /// Whether an edge with this action accepts.
+    pub(super) fn accepts(&self, action: u32) -> bool {
+        self.accepting[action as usize]
     }
 }

@@ -144,7 +144,7 @@ impl<'g> CounterStrategy<'g> {
         }
         let (assumption, rank) = (&self.assumptions[at.memory], &self.ranks[&at.memory]);
         let distance = |&edge: &usize| {
-            let accepts = assumption.accepts(self.game.discharged[edge]);
+            let accepts = assumption.accepts(self.game.action[edge]);
             if accepts { 0 } else { rank[self.game.target[edge] as usize] }
         };
         let edges = self.game.edges_of(at.state).filter(|edge| self.stays(at.core, *edge));
@@ -169,8 +169,8 @@ impl<'g> CounterStrategy<'g> {
     /// Where the play stands behind an edge, whoever chose it.
     #[must_use]
     pub fn follow(&self, at: Standing, edge: u32) -> Standing {
-        let discharged = self.game.discharged[edge as usize];
-        let memory = self.turn_to(at.memory, |assumption| !assumption.accepts(discharged));
+        let action = self.game.action[edge as usize];
+        let memory = self.turn_to(at.memory, |assumption| !assumption.accepts(action));
         self.enter(self.game.target[edge as usize], at.core, memory)
     }
 
@@ -202,13 +202,13 @@ impl<'g> CounterStrategy<'g> {
     /// Whether an edge stays in the core and does not accept its goal.
     fn stays(&self, core: u32, edge: usize) -> bool {
         let goal = &self.goals[self.layers.goal[core as usize]];
-        self.layers.core[self.game.target[edge] as usize] == core && !goal.accepts(self.game.discharged[edge])
+        self.layers.core[self.game.target[edge] as usize] == core && !goal.accepts(self.game.action[edge])
     }
 
     /// Per state of the core: in how many steps at most the environment sees the assumption accepted, or the play
     /// leaves the core.
     fn rank(&self, core: u32, assumption: &Acceptance) -> Vec<u32> {
-        let Game { turn, discharged, target, .. } = self.game;
+        let Game { turn, action, target, .. } = self.game;
         let goal = &self.goals[self.layers.goal[core as usize]];
         let inside = |state: usize| self.layers.core[state] == core;
         let mut rank = vec![NONE; self.game.states()];
@@ -223,11 +223,11 @@ impl<'g> CounterStrategy<'g> {
             }
             let soon = if turn[state].is_system() {
                 let delays =
-                    |&edge: &usize| inside(target[edge] as usize) && !assumption.accepts(discharged[edge]);
+                    |&edge: &usize| inside(target[edge] as usize) && !assumption.accepts(action[edge]);
                 choices[state] = edges.filter(delays).count() as u32;
                 choices[state] == 0
             } else {
-                edges.any(|edge| self.stays(core, edge) && assumption.accepts(discharged[edge]))
+                edges.any(|edge| self.stays(core, edge) && assumption.accepts(action[edge]))
             };
             if soon {
                 rank[state] = 1;
@@ -236,20 +236,20 @@ impl<'g> CounterStrategy<'g> {
         }
         now.extend(next);
         while let Some(state) = now.pop_front() {
-            for &Incoming { source, discharged } in self.predecessors.of(state) {
+            for &Incoming { source, action } in self.predecessors.of(state) {
                 let index = source as usize;
                 if !inside(index) || rank[index] != NONE {
                     continue;
                 }
                 if turn[index].is_system() {
-                    if assumption.accepts(discharged) {
+                    if assumption.accepts(action) {
                         continue;
                     }
                     choices[index] -= 1;
                     if choices[index] > 0 {
                         continue;
                     }
-                } else if goal.accepts(discharged) {
+                } else if goal.accepts(action) {
                     continue;
                 }
                 rank[index] = rank[state as usize] + 1;

@@ -157,8 +157,8 @@ impl<'a> Builder<'a> {
     }
 
     fn follow(&mut self, edge: usize, memory: usize) {
-        let discharged = self.game.discharged[edge];
-        let memory = self.turn_to(memory, |goal| !goal.accepts(discharged));
+        let action = self.game.action[edge];
+        let memory = self.turn_to(memory, |goal| !goal.accepts(action));
         let target = self.enter(self.game.target[edge], memory);
         self.strategy.edge.push(edge as u32);
         self.strategy.target.push(target);
@@ -202,7 +202,7 @@ impl<'a> Builder<'a> {
             let target = game.target[edge];
             let system = game.turn[target as usize].is_system();
             let remaining = if system { solution.remaining[target as usize] } else { 0 };
-            (remaining, game.label[edge] != YIELD, edge)
+            (remaining, game.label(edge) != YIELD, edge)
         })
     }
 }

@@ -69,9 +69,9 @@ impl Part<'_> {
         self.goal.open.contains(self.strategy.state[node as usize] as usize)
     }
 
-    /// The set of keys that an edge of the strategy discharges.
-    fn discharged(&self, edge: usize) -> u32 {
-        self.game.discharged[self.strategy.edge[edge] as usize]
+    /// What happens on an edge of the strategy.
+    fn action(&self, edge: usize) -> u32 {
+        self.game.action[self.strategy.edge[edge] as usize]
     }
 
     /// Whether the environment can stay in the component for ever and be fair to all assumptions.
@@ -82,7 +82,7 @@ impl Part<'_> {
         let inner = |node: u32| {
             self.strategy.edges_of(node).filter(move |&edge| {
                 component_of[self.strategy.target[edge] as usize] == own
-                    && !self.goal.accepts(self.discharged(edge))
+                    && !self.goal.accepts(self.action(edge))
             })
         };
         if let &[single] = component {
@@ -98,7 +98,7 @@ impl Part<'_> {
             let open = key_sets.members(open[state(node)]);
             missed.retain(|key| open.binary_search(key).is_ok());
             for edge in inner(node) {
-                let discharged = key_sets.members(self.discharged(edge));
+                let discharged = key_sets.members(self.game.actions.discharged(self.action(edge)));
                 missed.retain(|key| discharged.binary_search(key).is_err());
             }
             if missed.is_empty() {
@@ -153,7 +153,7 @@ impl Components {
                 if edge < strategy.edges_of(*node).end {
                     *next += 1;
                     let (node, target) = (*node as usize, strategy.target[edge]);
-                    if !part.has_node(target) || part.goal.accepts(part.discharged(edge)) {
+                    if !part.has_node(target) || part.goal.accepts(part.action(edge)) {
                         continue;
                     }
                     if self.found[target as usize] == 0 {

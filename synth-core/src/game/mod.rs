@@ -3,6 +3,7 @@
 //! Flat arrays with `u32` ids throughout; 10^7 states are meant to fit.
 
 mod acceptance;
+mod actions;
 mod counter;
 mod counter_strategy;
 mod extract;
@@ -16,6 +17,7 @@ mod separation;
 mod solve;
 mod strategy;
 
+pub use actions::{Actions, ActionsBuilder};
 pub use counter::{CounterPlay, Loss, can_meet, counter_play, wins};
 pub use counter_strategy::{CounterStrategy, Standing};
 pub use extract::{ExtractError, extract};
@@ -81,12 +83,12 @@ pub struct Game {
     pub open: Vec<u32>,
     /// Offsets into the edge arrays, one more than there are states.
     pub first: Vec<u32>,
-    /// Per edge: event id or [`YIELD`].
-    pub label: Vec<u32>,
+    /// Per edge: what happens, one of [`Game::actions`].
+    pub action: Vec<u32>,
     /// Per edge: the state it leads to.
     pub target: Vec<u32>,
-    /// Per edge: the set (of [`Game::key_sets`]) of keys that it discharges.
-    pub discharged: Vec<u32>,
+    /// The distinct pairs of an event and the set of keys that it discharges.
+    pub actions: Actions,
     /// The distinct sets of keys.
     pub key_sets: KeySets,
     /// Keys of assumptions (the `A_i`): ids below [`KeySets::keys`].
@@ -107,6 +109,18 @@ impl Game {
     #[must_use]
     pub fn edges(&self) -> usize {
         self.target.len()
+    }
+
+    /// The event id of an edge, or [`YIELD`].
+    #[must_use]
+    pub fn label(&self, edge: usize) -> u32 {
+        self.actions.label(self.action[edge])
+    }
+
+    /// The set (of [`Game::key_sets`]) of keys that an edge discharges.
+    #[must_use]
+    pub fn discharged(&self, edge: usize) -> u32 {
+        self.actions.discharged(self.action[edge])
     }
 
     /// The edges that leave `state`.

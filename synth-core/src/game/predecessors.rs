@@ -7,8 +7,8 @@ use super::Game;
 pub(super) struct Incoming {
     /// The state that the edge leaves.
     pub(super) source: u32,
-    /// The set of keys that the edge discharges.
-    pub(super) discharged: u32,
+    /// What happens on the edge.
+    pub(super) action: u32,
 }
 
 /// Per state its incoming edges, by ascending source.
@@ -29,11 +29,11 @@ impl Predecessors {
         for state in 2..first.len() {
             first[state] += first[state - 1];
         }
-        let mut incoming = vec![Incoming { source: 0, discharged: 0 }; game.edges()];
+        let mut incoming = vec![Incoming { source: 0, action: 0 }; game.edges()];
         for source in 0..game.states() as u32 {
             for edge in game.edges_of(source) {
                 let next = &mut first[game.target[edge] as usize + 1];
-                incoming[*next as usize] = Incoming { source, discharged: game.discharged[edge] };
+                incoming[*next as usize] = Incoming { source, action: game.action[edge] };
                 *next += 1;
             }
         }

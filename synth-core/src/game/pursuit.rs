@@ -107,7 +107,7 @@ impl<'g> Pursuit<'g> {
 
     /// The states of rank 1, and the choices of the others.
     fn start(&mut self, goal: &Acceptance, region: &FixedBitSet) {
-        let Game { target, discharged, .. } = self.game;
+        let Game { target, action, .. } = self.game;
         self.good.clear();
         self.attracted = 0;
         self.left.clone_from(region);
@@ -117,14 +117,13 @@ impl<'g> Pursuit<'g> {
             let good = if self.game.turn[state].is_system() {
                 edges.any(|edge| {
                     let target = target[edge] as usize;
-                    region.contains(target) && (goal.accepts(discharged[edge]) || !goal.open.contains(target))
+                    region.contains(target) && (goal.accepts(action[edge]) || !goal.open.contains(target))
                 })
             } else {
                 // The environment does not leave the region, so `goal.open` is as good as `left`. Where there is no
                 // choice at all, as in `Turn::Won`, the play is over and the system has not lost.
-                let stays = |&edge: &usize| {
-                    !goal.accepts(discharged[edge]) && goal.open.contains(target[edge] as usize)
-                };
+                let stays =
+                    |&edge: &usize| !goal.accepts(action[edge]) && goal.open.contains(target[edge] as usize);
                 self.choices[state] = edges.filter(stays).count() as u32 + u32::from(self.game.silent[state]);
                 self.choices[state] == 0
             };
@@ -146,13 +145,13 @@ impl<'g> Pursuit<'g> {
             if self.game.turn[state as usize].is_system() {
                 self.mark_progress(state, goal, region, progress);
             }
-            for &Incoming { source, discharged } in self.predecessors.of(state) {
+            for &Incoming { source, action } in self.predecessors.of(state) {
                 let index = source as usize;
                 if !self.left.contains(index) {
                     continue;
                 }
                 if !self.game.turn[index].is_system() {
-                    if goal.accepts(discharged) {
+                    if goal.accepts(action) {
                         continue;
                     }
                     self.choices[index] -= 1;
@@ -173,7 +172,7 @@ impl<'g> Pursuit<'g> {
         for edge in self.game.edges_of(state) {
             let target = self.game.target[edge] as usize;
             if region.contains(target)
-                && (goal.accepts(self.game.discharged[edge])
+                && (goal.accepts(self.game.action[edge])
                     || !goal.open.contains(target)
                     || !self.left.contains(target) && self.rank[target] < rank)
             {
@@ -184,21 +183,20 @@ impl<'g> Pursuit<'g> {
 
     /// Computes in `kept` the avoidance of `assumption`; whether there is one.
     fn avoid(&mut self, assumption: &Acceptance, goal: &Acceptance) -> bool {
-        let Game { target, discharged, .. } = self.game;
+        let Game { target, action, .. } = self.game;
         self.kept.clone_from(&self.left);
         self.kept.intersect_with(&assumption.open);
         for state in self.kept.ones() {
             let mut edges = self.game.edges_of(state as u32);
-            let avoids = |edge: usize| {
-                !assumption.accepts(discharged[edge]) && self.kept.contains(target[edge] as usize)
-            };
+            let avoids =
+                |edge: usize| !assumption.accepts(action[edge]) && self.kept.contains(target[edge] as usize);
             let drop = if self.game.turn[state].is_system() {
                 let count = edges.filter(|&edge| avoids(edge)).count() as u32;
                 self.choices[state] = count;
                 count == 0
             } else {
                 edges.any(|edge| {
-                    let stays = self.left.contains(target[edge] as usize) && !goal.accepts(discharged[edge]);
+                    let stays = self.left.contains(target[edge] as usize) && !goal.accepts(action[edge]);
                     stays && !avoids(edge)
                 })
             };
@@ -219,20 +217,20 @@ impl<'g> Pursuit<'g> {
     /// Drops the states that cannot be kept without those in `dropped`.
     fn drop_all(&mut self, assumption: &Acceptance, goal: &Acceptance) {
         while let Some(state) = self.dropped.pop() {
-            for &Incoming { source, discharged } in self.predecessors.of(state) {
+            for &Incoming { source, action } in self.predecessors.of(state) {
                 let index = source as usize;
                 if !self.kept.contains(index) {
                     continue;
                 }
                 if self.game.turn[index].is_system() {
-                    if assumption.accepts(discharged) {
+                    if assumption.accepts(action) {
                         continue;
                     }
                     self.choices[index] -= 1;
                     if self.choices[index] > 0 {
                         continue;
                     }
-                } else if goal.accepts(discharged) {
+                } else if goal.accepts(action) {
                     continue;
                 }
                 self.kept.set(index, false);
@@ -255,10 +253,9 @@ impl<'g> Pursuit<'g> {
             }
         }
         while let Some(state) = reached.pop_front() {
-            for &Incoming { source, discharged } in self.predecessors.of(state) {
+            for &Incoming { source, action } in self.predecessors.of(state) {
                 let index = source as usize;
-                if self.kept.contains(index) && self.distance[index] == FAR && !assumption.accepts(discharged)
-                {
+                if self.kept.contains(index) && self.distance[index] == FAR && !assumption.accepts(action) {
                     self.distance[index] = self.distance[state as usize] + 1;
                     reached.push_back(source);
                 }
@@ -282,7 +279,7 @@ impl<'g> Pursuit<'g> {
             if self.game.turn[state].is_system() {
                 for edge in self.game.edges_of(state as u32) {
                     let target = self.game.target[edge] as usize;
-                    if !assumption.accepts(self.game.discharged[edge])
+                    if !assumption.accepts(self.game.action[edge])
                         && self.kept.contains(target)
                         && (!self.ending || self.distance[target] < self.distance[state])
                     {

@@ -163,7 +163,7 @@ impl<'a> Controlled<'a> {
     /// The edge of an event of the environment. Edges are in the order of their labels where it has the turn.
     fn edge(&self, node: u32, label: u32) -> Option<usize> {
         let edges = self.strategy.edges_of(node);
-        let label_of = |edge: &u32| self.explored.game.label[*edge as usize];
+        let label_of = |edge: &u32| self.explored.game.label(*edge as usize);
         let found = self.strategy.edge[edges.clone()].binary_search_by_key(&label, label_of).ok()?;
         Some(edges.start + found)
     }

@@ -28,7 +28,7 @@ pub(super) fn breaches(explored: &mut Explored<'_>) -> Vec<Diagnostic> {
         store.load(state, &mut config);
         let target = |edge: usize| game.turn[game.target[edge] as usize];
         let is_fine = |event: EventId| {
-            game.edges_of(state).any(|edge| game.label[edge] == event && target(edge) != Turn::Won)
+            game.edges_of(state).any(|edge| game.label(edge) == event && target(edge) != Turn::Won)
         };
         breaches.clear();
         playout.transgressions(&config, game.turn[state as usize], is_fine, &mut breaches);
@@ -37,7 +37,7 @@ pub(super) fn breaches(explored: &mut Explored<'_>) -> Vec<Diagnostic> {
         }
         if !search.binding.is_empty() {
             let lost = game.edges_of(state).filter(|&edge| target(edge) == Turn::Lost);
-            breaches.extend(lost.map(|edge| violation(playout, &config, game.label[edge])));
+            breaches.extend(lost.map(|edge| violation(playout, &config, game.label(edge))));
         }
         for breach in &breaches {
             search.look_at(explored, state, &config, breach);

@@ -19,7 +19,7 @@ pub(super) fn never(explored: &Explored<'_>) -> Vec<Diagnostic> {
         .collect();
     // An event that could start it is as good as a copy, which may be gone at once.
     let mut happens = FixedBitSet::with_capacity(playout.event_count());
-    game.label.iter().filter(|&&label| label != YIELD).for_each(|&event| happens.insert(event as usize));
+    game.actions.labels().filter(|&label| label != YIELD).for_each(|event| happens.insert(event as usize));
     unstarted.retain(|&index| {
         !happens.ones().any(|event| could_start(spec, &spec.scenarios[index], playout.event(event as u32)))
     });

@@ -65,7 +65,7 @@ fn unmet(explored: &Explored<'_>, strategy: &Strategy, node: u32) -> Option<KeyI
     while let Some(node) = ahead.pop() {
         unmet.retain(|key| open(node).binary_search(key).is_ok());
         for edge in strategy.edges_of(node) {
-            let discharged = game.key_sets.members(game.discharged[strategy.edge[edge] as usize]);
+            let discharged = game.key_sets.members(game.discharged(strategy.edge[edge] as usize));
             unmet.retain(|key| discharged.binary_search(key).is_err());
             if seen.insert(strategy.target[edge]) {
                 ahead.push(strategy.target[edge]);

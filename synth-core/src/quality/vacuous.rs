@@ -117,7 +117,7 @@ pub(super) fn has_violation(scenario: &Scenario) -> bool {
 fn happening(explored: &Explored<'_>, strategy: &Strategy) -> FixedBitSet {
     let Explored { playout, game, .. } = explored;
     let mut happening = FixedBitSet::with_capacity(playout.event_count());
-    let labels = strategy.edge.iter().map(|&edge| game.label[edge as usize]);
+    let labels = strategy.edge.iter().map(|&edge| game.label(edge as usize));
     labels.filter(|&label| label != YIELD).for_each(|event| happening.insert(event as usize));
     happening
 }

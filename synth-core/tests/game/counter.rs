@@ -53,9 +53,8 @@ pub(crate) fn assert_forced(game: &Game, solution: &Solution) {
         silent: Vec::new(),
         open: Vec::new(),
         first: vec![0],
-        label: Vec::new(),
+        action: Vec::new(),
         target: Vec::new(),
-        discharged: Vec::new(),
         ..game.clone()
     };
     let mut next = 0;
@@ -79,9 +78,8 @@ pub(crate) fn assert_forced(game: &Game, solution: &Solution) {
                 places.push(target);
                 places.len() as u32 - 1
             });
-            played.label.push(game.label[edge as usize]);
+            played.action.push(game.action[edge as usize]);
             played.target.push(id);
-            played.discharged.push(game.discharged[edge as usize]);
         }
         played.first.push(played.target.len() as u32);
     }
@@ -110,7 +108,7 @@ fn meets(game: &Game, key: u32, state: u32, cycle: &[u32]) -> bool {
     closed(state)
         || cycle
             .iter()
-            .any(|&edge| closed(game.target[edge as usize]) || contains(game.discharged[edge as usize]))
+            .any(|&edge| closed(game.target[edge as usize]) || contains(game.discharged(edge as usize)))
 }
 
 const A: u32 = 0;

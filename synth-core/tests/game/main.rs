@@ -8,7 +8,8 @@ use proptest::bool::weighted;
 use proptest::collection::vec;
 use proptest::prelude::{Just, ProptestConfig, Strategy as Strategy_, any, prop_oneof, proptest};
 use synth_core::game::{
-    ExtractError, Game, KeySetsBuilder, Strategy, Turn, YIELD, counter_play, extract, solve, solve_ending,
+    Actions, ActionsBuilder, ExtractError, Game, KeySetsBuilder, Strategy, Turn, YIELD, counter_play,
+    extract, solve, solve_ending,
 };
 
 /// A state for [`game`].
@@ -22,6 +23,7 @@ pub(crate) struct State {
 
 /// A game from its states; keys `0..assumptions` are those of assumptions, the next ones those of guarantees.
 pub(crate) fn game(states: &[State], assumptions: u32, guarantees: u32) -> Game {
+    let mut actions = ActionsBuilder::default();
     let mut sets = KeySetsBuilder::default();
     sets.intern(&(0..assumptions + guarantees).collect::<Vec<_>>());
     let mut game = Game {
@@ -30,9 +32,9 @@ pub(crate) fn game(states: &[State], assumptions: u32, guarantees: u32) -> Game 
         silent: states.iter().map(|state| state.silent).collect(),
         open: states.iter().map(|state| sets.intern(&state.open)).collect(),
         first: vec![0],
-        label: Vec::new(),
+        action: Vec::new(),
+        actions: Actions::default(),
         target: Vec::new(),
-        discharged: Vec::new(),
         key_sets: KeySetsBuilder::default().finish(),
         assumptions: (0..assumptions).collect(),
         guarantees: (assumptions..assumptions + guarantees).collect(),
@@ -40,13 +42,14 @@ pub(crate) fn game(states: &[State], assumptions: u32, guarantees: u32) -> Game 
     for state in states {
         for (index, (target, discharged)) in state.edges.iter().enumerate() {
             let last = state.turn == Turn::SystemEventually && index + 1 == state.edges.len();
-            game.label.push(if last { YIELD } else { index as u32 });
+            let label = if last { YIELD } else { index as u32 };
+            game.action.push(actions.intern(label, sets.intern(discharged)));
             game.target.push(*target as u32);
-            game.discharged.push(sets.intern(discharged));
         }
         game.first.push(game.target.len() as u32);
     }
     game.key_sets = sets.finish();
+    game.actions = actions.finish();
     game
 }
 

@@ -32,7 +32,7 @@ impl Graph {
                 let node = successors.len();
                 successors[state].push(node);
                 successors.push(vec![game.target[edge] as usize]);
-                met.push(game.key_sets.members(game.discharged[edge]).iter().copied().collect());
+                met.push(game.key_sets.members(game.discharged(edge)).iter().copied().collect());
             }
             if game.silent[state] {
                 let node = successors.len();
@@ -198,9 +198,9 @@ pub(crate) fn assert_wins(game: &Game, strategy: &Strategy, ending: bool) {
         silent: strategy.state.iter().map(|&state| game.silent[state as usize]).collect(),
         open: of(&game.open),
         first: strategy.first.clone(),
-        label: strategy.edge.iter().map(|&edge| game.label[edge as usize]).collect(),
+        action: strategy.edge.iter().map(|&edge| game.action[edge as usize]).collect(),
+        actions: game.actions.clone(),
         target: strategy.target.clone(),
-        discharged: strategy.edge.iter().map(|&edge| game.discharged[edge as usize]).collect(),
         key_sets: game.key_sets.clone(),
         assumptions: game.assumptions.clone(),
         guarantees: game.guarantees.clone(),
