@@ -429,6 +429,35 @@ codes! {
          component began to move.\n\n\
          Wrong:  automaton Door { initial state Shut [Closed] { run -> Moves } state Moves [Motor] { stop -> Shut } }\n\
          Right:  automaton Door { initial state Shut [!Motor] { run -> Moves } state Moves [Motor] { stop -> Shut } }\n";
+    Contradicted = 136, "a command after which the target of the event is never read",
+        "What an event commands is read from then on, so the formula of the state to which it leads has to be possible\n\
+         with it. Mostly `set` and `reset` were confused, or a `!` is missing.\n\n\
+         Wrong:  controllable go { set Motor }\n        \
+         automaton Door { initial state Rests [Closed] { go -> Moves } state Moves [!Closed && !Motor] }\n\
+         Right:  controllable go { set Motor }\n        \
+         automaton Door { initial state Rests [Closed && !Motor] { go -> Moves } state Moves [Motor] }\n";
+    Misread = 137, "a command after which the wrong state is read",
+        "An event of the controller has happened as soon as its commands are given. From then on, the state that is read\n\
+         must be its target: the rungs below it and the next scan decide by what they read, long before a sensor answers.\n\
+         Here it can still be the old state, or is another one; so a second event may happen that must not happen in the\n\
+         target, even one that a `never` forbids there.\n\n\
+         Name the outputs that are commanded: the formula of the old state excludes them, that of the target holds as soon\n\
+         as they are given. Where a part answers later, give it two states: told to move, and arrived.\n\n\
+         Wrong:  controllable go { set Motor }\n        \
+         automaton Door { initial state Shut [Closed] { go -> Open } state Open [!Closed] }\n\
+         Right:  controllable go { set Motor }\n        \
+         automaton Door { initial state Shut [Closed && !Motor] { go -> Open } state Open [Motor] }\n";
+    Misreadable = 138, "a command after which the wrong state could be read",
+        "Right after an event of the controller its target is read, or what the plant can come to from there by itself: so\n\
+         it should be for all values that the formula of the old state allows. Here some of them show another state, or\n\
+         none shows the target until the plant has moved. Perhaps these values never occur, such as two end\n\
+         switches that are closed at one time: then say so in the formula of the old state.\n\n\
+         A component that does not take part in an event, but reads what it commands, must not change its state either,\n\
+         except to one that it can come to by itself.\n\n\
+         Wrong:  controllable go { set Motor }\n        \
+         automaton Door { initial state Shut [Closed && !Motor] { go -> Open } state Open [!Closed && Motor] }\n\
+         Right:  controllable go { set Motor }\n        \
+         automaton Door { initial state Shut [Closed && !Motor] { go -> Open } state Open [Motor] }\n";
     NoFeedback = 140, "constraints that no feedback can keep",
         "The feedback may inhibit controllable events only, and must leave a way to a state in which all automata are\n\
          marked. From the initial state of this plant, whatever is inhibited, either a constraint is violated (a `never`\n\
@@ -454,6 +483,14 @@ codes! {
         "Formulas are computed as decision diagrams, and one of these would exceed what a machine holds. This happens if\n\
          the event depends on the states of very many components at once, in no order.\n\n\
          Split the plant into parts that are controlled apart, or let the controller follow events instead of states.\n";
+    NeverEnabled = 144, "a controllable event that is never enabled",
+        "The feedback enables this event nowhere, so the controller never gives its commands: either the plant never comes\n\
+         where its components allow it, or it is inhibited wherever they do. The notes say how often, and by what. Mostly a\n\
+         constraint says more than was meant, or names a state in which the event is not possible anyway.\n\n\
+         Wrong:  controllable open { set Motor }  constraint Safe: open only when Door.Ajar\n        \
+         automaton Door { initial state Shut [!Motor] { open -> Ajar } state Ajar [Motor] }\n\
+         Right:  controllable open { set Motor }  constraint Safe: open only when Door.Shut\n        \
+         automaton Door { initial state Shut [!Motor] { open -> Ajar } state Ajar [Motor] }\n";
 }
 
 #[cfg(test)]

@@ -46,6 +46,34 @@ impl<A> Condition<A> {
         }
     }
 
+    /// What is left of it where `holds` knows the values of some atoms: a value, or a condition over all others.
+    pub(super) fn rest(&self, holds: &impl Fn(&A) -> Option<bool>) -> Result<Condition<A>, bool>
+    where
+        A: Clone,
+    {
+        // `decisive` is the value of a part that decides for the whole.
+        let rests = |parts: &[Condition<A>], decisive: bool| {
+            let mut rests = Vec::with_capacity(parts.len());
+            for part in parts {
+                match part.rest(holds) {
+                    Err(value) if value == decisive => return Err(decisive),
+                    Err(_) => {}
+                    Ok(rest) => rests.push(rest),
+                }
+            }
+            if rests.is_empty() { Err(!decisive) } else { Ok(rests) }
+        };
+        Ok(match self {
+            Condition::Atom(atom) => match holds(atom) {
+                Some(value) => return Err(value),
+                None => self.clone(),
+            },
+            Condition::Not(inner) => Condition::Not(Box::new(inner.rest(holds).map_err(|value| !value)?)),
+            Condition::And(all) => Condition::And(rests(all, false)?),
+            Condition::Or(any) => Condition::Or(rests(any, true)?),
+        })
+    }
+
     /// Calls `visit` for every atom, in textual order.
     pub fn atoms(&self, visit: &mut impl FnMut(&A)) {
         match self {

@@ -18,6 +18,7 @@
 pub mod ast;
 mod closed_loop;
 mod condition;
+mod effects;
 mod entries;
 pub mod event_based;
 mod figures;
@@ -28,6 +29,7 @@ mod loaded;
 mod model;
 mod modular;
 mod moves;
+mod never_enabled;
 mod packing;
 mod parse;
 pub mod pipeline;
@@ -41,6 +43,7 @@ mod resolve;
 mod state_feedback;
 mod supremal;
 mod text;
+mod warnings;
 mod why;
 
 pub use closed_loop::ClosedLoop;
@@ -63,6 +66,7 @@ pub use refusal::{Reason, Source, Unavoidable};
 pub use resolve::resolve;
 pub use state_feedback::{Options, StateFeedback, state_feedback};
 pub use supremal::{SuperviseError, supervise};
+pub use warnings::warnings;
 pub use why::{Why, why};
 
 use crate::diagnostic::Diagnostic;

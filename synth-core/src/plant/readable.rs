@@ -5,14 +5,15 @@
 //! hardly any value is given in vain. An analogue input is given a value as a whole, of which there are as many that
 //! matter as its ranges have ends.
 
-use super::{Automaton, Condition, Plant, SignalId, SignalKind, State};
+use super::{Automaton, Condition, Plant, SignalId, SignalKind, State, effects};
 use crate::diagnostic::{Code, Diagnostic};
 
 /// Whatever keeps a state-feedback controller from reading the states of components, in the order of places.
 ///
 /// A component with several states needs a formula for each of them; every formula must hold for some values of inputs
 /// and outputs; and no two of one component for the same. Of several states that look like a later one the first is told.
-/// Constraint automata are not read.
+/// Constraint automata are not read. Where all this is so, commands must be seen, too: what an event commands makes the
+/// formula of its target true, and that of its source false.
 #[must_use]
 pub fn unreadable(plant: &Plant) -> Vec<Diagnostic> {
     let mut search = Search::new(plant);
@@ -33,6 +34,9 @@ pub fn unreadable(plant: &Plant) -> Vec<Diagnostic> {
             found.extend(overlap);
             readable.push((state, formula));
         }
+    }
+    if found.is_empty() {
+        effects::unseen(plant, &mut search, &mut found);
     }
     found.sort_by_key(|d| d.span.start);
     found
@@ -87,8 +91,8 @@ pub(super) fn samples(plant: &Plant) -> Vec<Vec<i64>> {
 }
 
 /// A search for values that make formulas true.
-struct Search<'a> {
-    plant: &'a Plant,
+pub(super) struct Search<'a> {
+    pub(super) plant: &'a Plant,
     /// What is known of each signal.
     values: Vec<Option<bool>>,
     /// By analogue input.
@@ -111,7 +115,7 @@ struct Given {
 }
 
 impl<'a> Search<'a> {
-    fn new(plant: &'a Plant) -> Self {
+    pub(super) fn new(plant: &'a Plant) -> Self {
         let mut ranges = vec![Vec::new(); plant.analogues.len()];
         for (id, signal) in (0..).zip(&plant.signals) {
             if let SignalKind::Range { analogue, .. } = signal.kind {
@@ -123,7 +127,7 @@ impl<'a> Search<'a> {
     }
 
     /// Values that make all `formulas` true, in words, if there are any.
-    fn satisfied(&mut self, formulas: &[&Condition<SignalId>]) -> Option<String> {
+    pub(super) fn satisfied(&mut self, formulas: &[&Condition<SignalId>]) -> Option<String> {
         let possible = formulas.iter().all(|formula| self.give_literals(formula));
         let found = (possible && self.search(formulas)).then(|| self.shown());
         for given in std::mem::take(&mut self.given) {

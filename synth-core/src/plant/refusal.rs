@@ -26,7 +26,7 @@ impl Source {
         }
     }
 
-    fn span(self, plant: &Plant) -> Span {
+    pub(super) fn span(self, plant: &Plant) -> Span {
         match self {
             Source::Condition(condition) => plant.constraints[condition as usize].span,
             Source::Automaton(automaton) => plant.automata[automaton as usize].span,

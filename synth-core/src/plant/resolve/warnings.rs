@@ -26,11 +26,8 @@ fn unused_events(plant: &Plant, found: &mut Vec<Diagnostic>) {
     for (event, _) in plant.events.iter().zip(named).filter(|(_, named)| !named) {
         let message = format!("no automaton names the event `{}`", event.name);
         let warning = Diagnostic::warning(Code::Unused, event.span, message);
-        found.push(
-            warning
-                .note("without an edge it can always happen and changes nothing")
-                .help("add its edges, or remove it"),
-        );
+        found
+            .push(warning.note("an event without an edge never happens").help("add its edges, or remove it"));
     }
 }
 
