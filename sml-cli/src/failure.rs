@@ -58,6 +58,11 @@ impl Failure {
         Failure::new(Exit::Wrong, nowhere(Code::Usage, message).help("see `sml --help`"))
     }
 
+    /// A line that was typed and makes no sense.
+    pub(crate) fn line(message: impl Into<String>) -> Self {
+        Failure::new(Exit::Wrong, nowhere(Code::Usage, message).help("type `help` for what can be said here"))
+    }
+
     /// What is part of the interface, but not there yet.
     pub(crate) fn unsupported(what: &str) -> Self {
         Failure::new(Exit::Wrong, nowhere(Code::Unsupported, format!("`{what}` is not supported yet")))

@@ -57,12 +57,20 @@ pub(crate) struct Given {
 pub(crate) fn given(path: &Path) -> Result<Given, Failure> {
     let bytes = if is_stdin(path) { read_bounded(std::io::stdin().lock()) } else { file(path) };
     let bytes = bytes.map_err(|error| Failure::unreadable(&name(path), &error))?;
-    let is_plant = if is_stdin(path) {
-        std::str::from_utf8(&bytes).is_ok_and(|text| first_word(text) == "plant")
-    } else {
-        path.extension().is_some_and(|extension| extension == "plant")
-    };
+    let extension_says = !is_stdin(path) && path.extension().is_some_and(|extension| extension == "plant");
+    let is_plant = extension_says || is_stdin(path) && begins_a_plant(&bytes);
     Ok(Given { name: name(path), bytes, is_plant })
+}
+
+impl Given {
+    /// Whether it is a plant by the extension of the file, or by its first word.
+    pub(crate) fn begins_a_plant(&self) -> bool {
+        self.is_plant || begins_a_plant(&self.bytes)
+    }
+}
+
+fn begins_a_plant(bytes: &[u8]) -> bool {
+    std::str::from_utf8(bytes).is_ok_and(|text| first_word(text) == "plant")
 }
 
 /// The letters behind blanks and comments.

@@ -1,6 +1,6 @@
 //! One run of the command: the stages of the pipeline with the options, the clock and the failures of this run.
 
-use crate::failure::Failure;
+use crate::failure::{Exit, Failure, nowhere};
 use crate::input::Given;
 use crate::options::{Color, Common, Format};
 use crate::{input, output};
@@ -8,7 +8,7 @@ use std::io::IsTerminal;
 use std::path::Path;
 use std::time::Duration;
 use synth_core::controller::{Controller, Level};
-use synth_core::diagnostic::{Diagnostic, counted};
+use synth_core::diagnostic::{Code, Diagnostic, counted};
 use synth_core::existential::{Existential, existential};
 use synth_core::explain::{Explanation, explain};
 use synth_core::explore::{Explored, explore};
@@ -86,9 +86,10 @@ impl Session {
     pub(crate) fn load(&mut self, path: &Path) -> Result<Loaded, Failure> {
         let given = input::given(path)?;
         if given.is_plant {
-            let failure =
-                Failure::usage(format!("`{}` is a plant, and this is for specifications", given.name));
-            return Err(failure);
+            let message = format!("`{}` is a plant, and this is for specifications", given.name);
+            let error = nowhere(Code::Usage, message);
+            let help = "write `sml check`, `sml supervise`, `sml export` or `sml play` for a plant";
+            return Err(Failure::new(Exit::Wrong, error.help(help)));
         }
         Ok(self.parse(&given))
     }
@@ -112,6 +113,19 @@ impl Session {
             Ok((plant, warnings)) => Ok(ReadPlant { loaded, plant, warnings }),
             Err(wrong) => Err(Failure::of(&pipeline::Failure::Wrong(wrong), &loaded)),
         }
+    }
+
+    /// What a plant is warned of: what its text shows, and what its feedback does.
+    pub(crate) fn warnings_of_plant(
+        &mut self,
+        of_text: Vec<Diagnostic>,
+        plant: &Plant,
+        closed: &ClosedLoop,
+    ) -> Vec<Diagnostic> {
+        let mut warnings = of_text;
+        warnings.extend(self.timings.stage("warnings", || plant::warnings(plant, closed)));
+        warnings.sort_by_key(|warning| warning.span.start);
+        warnings
     }
 
     /// The feedback of a plant, whether or not inputs and outputs show its states.

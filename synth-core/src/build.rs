@@ -163,8 +163,10 @@ impl Build {
         let result = plant.and_then(|(plant, warnings)| {
             let limits = &self.options.limits;
             let supervised = plant::pipeline::control(&plant, limits, self.plants, &mut Timings::default());
-            let program = supervised.map_err(|failure| failure.diagnostics())?.feedback.program;
-            let source = Source { program: &program, events: &plant.events, provenance: &provenance };
+            let supervised = supervised.map_err(|failure| failure.diagnostics())?;
+            let program = &supervised.feedback.program;
+            let source = Source { program, events: &plant.events, provenance: &provenance };
+            let warnings = [warnings, plant::warnings(&plant, &supervised.closed)].concat();
             Ok((rust::scan::text(&source), warnings))
         });
         Compiled { result, sources }
@@ -176,7 +178,7 @@ fn advise(diagnostic: Diagnostic) -> Diagnostic {
     if diagnostic.code != Code::LimitReached {
         return diagnostic;
     }
-    diagnostic.help("raise it with `synth_core::build::Build`, or make the specification smaller")
+    diagnostic.help("raise it with `synth_core::build::Build`, or make what is described smaller")
 }
 
 fn warning(code: &str) -> Warning {

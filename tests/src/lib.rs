@@ -12,6 +12,7 @@ pub mod plant_naive;
 pub mod published;
 pub mod random;
 pub mod random_plant;
+pub mod random_signals;
 pub mod reference;
 pub mod same;
 pub mod scan;

@@ -4,6 +4,7 @@ use sml_tests::fast;
 use std::fmt::Write as _;
 use std::path::Path;
 use synth_core::diagnostic::{Code, Severity};
+use synth_core::explore::Limits;
 use synth_core::pipeline::{Failure, Options, Timings, compile};
 use synth_core::plant;
 use synth_core::syntax::FileId;
@@ -114,7 +115,10 @@ const PLANTS: [&str; 3] = [
 fn plant_codes(text: &str, read: bool) -> (Vec<Code>, bool) {
     let diagnostics = match plant::read(text, FileId(0)) {
         Err(errors) => errors,
-        Ok((plant, warnings)) if read => [warnings, plant::unreadable(&plant)].concat(),
+        Ok((plant, warnings)) if read => {
+            let closed = plant::supervise(&plant, &Limits::default()).expect("a feedback");
+            [warnings, plant::unreadable(&plant), plant::warnings(&plant, &closed)].concat()
+        }
         Ok((_, warnings)) => warnings,
     };
     let good = diagnostics.iter().all(|d| d.severity == Severity::Warning);
@@ -123,7 +127,7 @@ fn plant_codes(text: &str, read: bool) -> (Vec<Code>, bool) {
 
 #[test]
 fn examples_about_plants_are_wrong_and_right() {
-    for &code in Code::ALL.iter().filter(|&&code| (120..=139).contains(&(code as u16))) {
+    for &code in Code::ALL.iter().filter(|&&code| matches!(code as u16, 120..=139 | 144)) {
         let pair = (example(code, "Wrong:"), example(code, "Right:"));
         let (Some(wrong), Some(right)) = pair else { panic!("{code} has no examples") };
         let tried = PLANTS.map(|context| {

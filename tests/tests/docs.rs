@@ -81,10 +81,10 @@ fn broken_plant(block: &Block) -> Option<String> {
     let found = if whole {
         match plant::read(&text, FileId(0)) {
             Err(errors) => errors,
-            Ok((plant, _)) if plant::supervise(&plant, &Limits::default()).is_err() => {
-                return Some("no feedback keeps the constraints".to_owned());
-            }
-            Ok((plant, odd)) => [odd, plant::unreadable(&plant)].concat(),
+            Ok((plant, odd)) => match plant::supervise(&plant, &Limits::default()) {
+                Err(_) => return Some("no feedback keeps the constraints".to_owned()),
+                Ok(closed) => [odd, plant::unreadable(&plant), plant::warnings(&plant, &closed)].concat(),
+            },
         }
     } else {
         plant::parse_text(&text, FileId(0)).1

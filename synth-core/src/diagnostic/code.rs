@@ -95,12 +95,12 @@ codes! {
          types: `bool`, a range of integers, an enum, or a class.\n\n\
          Wrong:  var EInt floor\n\
          Right:  var 1..=3 floor\n";
-    Empty = 10, "no specification in the text",
+    Empty = 10, "no specification and no plant in the text",
         "A file holds imports and then exactly one specification, or exactly one plant; this one holds nothing but space\n\
          and comments.\n\n\
          Right:  specification Name { … }\n";
     TooDeep = 11, "nesting too deep",
-        "Braces, brackets, parentheses and expressions nest up to a fixed depth that no specification written by hand\n\
+        "Braces, brackets, parentheses and expressions nest up to a fixed depth that nothing written by hand\n\
          comes near, so that a broken generator cannot exhaust the stack. Give a part of the expression a variable of\n\
          its own, or split the scenario.\n\n\
          Wrong:  wait [((((…((((a))))…))))]\n\
@@ -214,9 +214,10 @@ codes! {
          Right:  guarantee scenario Dark { user -> controller.pressed() violation [lamp.lit] }\n";
     LimitReached = 54, "a limit was reached",
         "The state space is larger than `--max-states` or `--max-memory` allow, or than the machine's memory where no\n\
-         limit is given. Raise the limit, or make the specification smaller: fewer objects, narrower ranges, more\n\
-         assumptions about what the environment does. In the macro `sml!` the limit is fixed, and lower still in an\n\
-         editor; a build script (`synth_core::build`) has none. The exit code is 3.\n";
+         limit is given. Raise the limit, or make what is described smaller: fewer objects, narrower ranges, more\n\
+         assumptions about what the environment does; fewer components, or a part of the plant. In the macros `sml!` and\n\
+         `plant!` the limit is fixed, and lower still in an editor; a build script (`synth_core::build`) has none. The exit\n\
+         code is 3.\n";
 
     Unrealizable = 70, "a specification that no controller can meet",
         "Whatever the controller does, the environment can keep all assumptions and make it break or starve a\n\
@@ -310,7 +311,7 @@ codes! {
         "The name is part of the interface, but this version does nothing under it yet. `sml --help` lists what it\n\
          does. The exit code is 2.\n";
     Unreadable = 102, "a file that cannot be opened",
-        "The file does not exist, is a folder or larger than a specification can be, or may not be read; `-` stands\n\
+        "The file does not exist, is a folder or larger than a specification or a plant can be, or may not be read; `-` stands\n\
          for the standard input. The exit code is 4.\n";
     Unwritable = 103, "an output that cannot be written",
         "The folder does not exist, or it or the file may not be written. Files are written whole or not at all: what\n\

@@ -29,7 +29,7 @@ impl Failure {
     #[must_use]
     pub fn diagnostics(&self) -> Vec<Diagnostic> {
         let general = |code, message: String| Diagnostic::error(code, Span::default(), message);
-        let ours = "this is a mistake of the tool, not of the specification; nothing was written";
+        let ours = "this is a mistake of the tool, not of what it was given; nothing was written";
         match self {
             Failure::Wrong(diagnostics) => diagnostics.clone(),
             Failure::Unrealizable(unrealizable) => vec![unrealizable.diagnostic.clone()],
@@ -42,8 +42,8 @@ impl Failure {
                 .note(limit.to_string())
                 .help(match limit.what {
                     // No option goes beyond what ids can count.
-                    "edges" => "make the specification smaller".to_owned(),
-                    what => format!("raise `--max-{what}`, or make the specification smaller"),
+                    "edges" => "make what is described smaller".to_owned(),
+                    what => format!("raise `--max-{what}`, or make what is described smaller"),
                 }),
             ],
             Failure::Unverified(refutation) => vec![

@@ -1,5 +1,6 @@
 //! Plants of the corpus can be read; every mistake is told at its place; nothing panics.
 
+mod effects;
 mod errors;
 mod fuzz;
 mod help;

@@ -163,10 +163,10 @@ fn is_utf16(bytes: &[u8]) -> bool {
         || !head.is_empty() && zeros(0) != zeros(1)
 }
 
-/// A specification may have this many bytes, 16 MiB: far more than anyone writes, far less than a machine holds.
+/// A specification or a plant may have this many bytes, 16 MiB: far more than anyone writes, far less than a machine holds.
 pub const MAX_BYTES: u64 = 16 << 20;
 
-/// All bytes of a file that is a specification.
+/// All bytes of a file that is a specification or a plant.
 ///
 /// # Errors
 ///
@@ -175,7 +175,10 @@ pub fn read_bounded(file: impl io::Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     file.take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > MAX_BYTES {
-        let why = format!("it is larger than {} MiB, so it is no specification", MAX_BYTES >> 20);
+        let why = format!(
+            "it is larger than {} MiB, so it is neither a specification nor a plant",
+            MAX_BYTES >> 20
+        );
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, why));
     }
     Ok(bytes)

@@ -37,7 +37,10 @@ pub(in crate::commands) fn run(
         Err(pipeline::Failure::Refused(why)) => (None, vec![*why]),
         Err(failure) => return Err(Failure::of(&failure, &loaded)),
     };
-    diagnostics.extend(warnings);
+    diagnostics.extend(match &closed {
+        Some(closed) => session.warnings_of_plant(warnings, &plant, closed),
+        None => warnings,
+    });
     policy.apply(&mut diagnostics);
     output::print(&match session.format() {
         Format::Json => json(closed.as_ref(), to_json(&diagnostics, &loaded.sources)),

@@ -86,6 +86,7 @@ pub(in crate::commands) fn run(
         Writer::Program(_) | Writer::Json => control(&plant, options.rungs.options(), session),
     };
     let controlled = controlled.map_err(|failure| Failure::of(&failure, &loaded))?;
+    let warnings = session.warnings_of_plant(warnings, &plant, &controlled.closed);
     warnings::show(warnings, &arguments.warnings.policy(), &loaded, session)?;
     let provenance = provenance(&loaded, options.words());
     let text = session.stage("emit", || match &writer {

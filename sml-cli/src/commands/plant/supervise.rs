@@ -2,13 +2,13 @@
 
 use super::rungs::Rungs;
 use super::{Controlled, control};
-use crate::failure::{Exit, Failure};
+use crate::failure::{Exit, Failure, nowhere};
 use crate::options::Format;
 use crate::session::{ReadPlant, Session};
 use crate::warnings::{self, Warnings};
 use crate::{input, output};
 use std::path::PathBuf;
-use synth_core::diagnostic::counted;
+use synth_core::diagnostic::{Code, counted};
 use synth_core::plant::{Plant, Realization, write_json};
 
 /// Arguments of `sml supervise`.
@@ -29,9 +29,13 @@ pub(in crate::commands) fn run(arguments: &Arguments, session: &mut Session) -> 
     let Arguments { file, output, rungs, warnings } = arguments;
     output::refuse(output.as_deref(), file)?;
     let given = input::given(file)?;
+    if !given.begins_a_plant() {
+        return Err(no_plant(&given.name));
+    }
     let ReadPlant { loaded, plant, warnings: found } = session.plant(&given)?;
     let controlled = control(&plant, rungs.options(), session);
     let controlled = controlled.map_err(|failure| Failure::of(&failure, &loaded))?;
+    let found = session.warnings_of_plant(found, &plant, &controlled.closed);
     warnings::show(found, &warnings.policy(), &loaded, session)?;
     let text = match session.format() {
         Format::Json => json(&plant, &controlled),
@@ -39,6 +43,17 @@ pub(in crate::commands) fn run(arguments: &Arguments, session: &mut Session) -> 
     };
     output::product(output.as_deref(), &text)?;
     Ok(Exit::Done)
+}
+
+/// A file of another kind.
+fn no_plant(name: &str) -> Failure {
+    let message = format!("`{name}` is no plant, and this is for plants");
+    let error = nowhere(Code::Usage, message);
+    Failure::new(
+        Exit::Wrong,
+        error
+            .help("write `sml check` or `sml synth` for a specification; a plant begins with `plant Name {`"),
+    )
 }
 
 fn realization(plant: &Plant, controlled: &Controlled) -> Option<Realization> {

@@ -59,14 +59,14 @@ impl<'l> Command<'l> {
             return Ok(Command::Event(line));
         }
         let with = |what: &str| match rest {
-            "" => Err(Failure::usage(format!("`{word}` needs {what}"))),
+            "" => Err(Failure::line(format!("`{word}` needs {what}"))),
             rest => Ok(rest),
         };
         Ok(match word {
             "back" if rest.is_empty() => Command::Back(1),
             "back" => match rest.parse() {
                 Ok(events) => Command::Back(events),
-                Err(_) => return Err(Failure::usage(format!("`{rest}` is no number of events"))),
+                Err(_) => return Err(Failure::line(format!("`{rest}` is no number of events"))),
             },
             "save" => Command::Save { path: with("a file")?, replace: false },
             "save!" => Command::Save { path: with("a file")?, replace: true },
@@ -169,7 +169,7 @@ fn give(event: &str, table: &mut Table<'_>, manners: Manners) -> Result<(), Fail
 
 fn replay(path: &str, table: &mut Table<'_>, manners: Manners) -> Result<(), Failure> {
     if input::is_stdin(Path::new(path)) {
-        return Err(Failure::usage("the commands come from stdin, so no script can"));
+        return Err(Failure::line("the commands come from stdin, so no script can"));
     }
     let text = input::text(Path::new(path), Code::Encoding)?;
     let script = Script::parse(path, &text, table.player.spec())?;
@@ -186,7 +186,7 @@ fn save(path: &str, replace: bool, table: &Table<'_>) -> Result<(), Failure> {
     let file = Path::new(path);
     let exists = std::fs::symlink_metadata(file).is_ok();
     if exists && !replace && !input::is_stdin(file) {
-        return Err(Failure::usage(format!("`{path}` exists; `save! {path}` overwrites it")));
+        return Err(Failure::line(format!("`{path}` exists; `save! {path}` overwrites it")));
     }
     let how = match table.side() {
         None => "",

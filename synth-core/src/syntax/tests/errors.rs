@@ -367,7 +367,7 @@ fn a_file_without_end_is_not_read_to_its_end() {
     let read = |length| read_bounded(io::repeat(b' ').take(length)).map(|bytes| bytes.len() as u64);
     assert_eq!(read(MAX_BYTES).expect("the largest file"), MAX_BYTES);
     let error = read_bounded(io::repeat(b' ')).expect_err("endless");
-    assert_eq!(error.to_string(), "it is larger than 16 MiB, so it is no specification");
+    assert_eq!(error.to_string(), "it is larger than 16 MiB, so it is neither a specification nor a plant");
 }
 
 #[test]

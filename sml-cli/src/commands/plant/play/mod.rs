@@ -188,7 +188,7 @@ fn talk(
         if !is_said(line.trim()) {
             continue;
         }
-        let line = Line::parse(line.trim(), position.plant).map_err(Failure::usage);
+        let line = Line::parse(line.trim(), position.plant).map_err(Failure::line);
         let done = line.and_then(|line| match line {
             Line::Quit => Ok(true),
             line => execute(line, position, format).map(|()| false),
@@ -211,12 +211,12 @@ fn execute(line: Line<'_>, position: &mut Position<'_>, format: Format) -> Resul
             let enabled: Vec<EventId> = position.enabled().collect();
             match number.checked_sub(1).and_then(|index| enabled.get(index)) {
                 Some(&event) => give(event, position, format),
-                None => Err(Failure::usage(format!("no event has the number {number}"))),
+                None => Err(Failure::line(format!("no event has the number {number}"))),
             }
         }
         Line::Back(events) => {
             if !position.back(events) {
-                return Err(Failure::usage("not so many events have happened"));
+                return Err(Failure::line("not so many events have happened"));
             }
             look(position, format)
         }
@@ -258,7 +258,7 @@ fn save(path: &str, replace: bool, position: &Position<'_>) -> Result<(), Failur
     let file = Path::new(path);
     let exists = std::fs::symlink_metadata(file).is_ok();
     if exists && !replace && !input::is_stdin(file) {
-        return Err(Failure::usage(format!("`{path}` exists; `save! {path}` overwrites it")));
+        return Err(Failure::line(format!("`{path}` exists; `save! {path}` overwrites it")));
     }
     let mut text = format!("# a play of {}\n", position.plant.name);
     for event in position.past() {
