@@ -4,13 +4,13 @@ use crate::tables::Random;
 use synth_core::plant::{Command, Condition, Plant, Signal, SignalId, SignalKind};
 use synth_core::syntax::Span;
 
-/// Gives each component one or two outputs and inputs of its own. Formulas of states are conjunctions of their literals;
+/// Gives each component one or two outputs and inputs of its own; some read an output of another. Formulas of states are conjunctions of their literals;
 /// commands mostly, but not always, do what the formula of some target asks for. States of one component may look the same.
 #[must_use]
 pub fn with_signals(mut plant: Plant, seed: u64) -> Plant {
     let random = &mut Random::new(seed ^ 0x5e_ed);
     for component in 0..plant.components {
-        let own: Vec<SignalId> = [(SignalKind::Output, "Y"), (SignalKind::Input, "X")]
+        let mut own: Vec<SignalId> = [(SignalKind::Output, "Y"), (SignalKind::Input, "X")]
             .into_iter()
             .flat_map(|(kind, letter)| {
                 (0..1 + random.below(2)).map(move |number| (kind, letter, number)).collect::<Vec<_>>()
@@ -21,6 +21,10 @@ pub fn with_signals(mut plant: Plant, seed: u64) -> Plant {
                 plant.signals.len() as SignalId - 1
             })
             .collect();
+        if component > 0 && random.below(4) == 0 {
+            // The first output of the first component.
+            own.push(0);
+        }
         for state in &mut plant.automata[component].states {
             state.formula = Some(conjunction(random, &own));
         }

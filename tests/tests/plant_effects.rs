@@ -76,8 +76,13 @@ impl<'a> Play<'a> {
                 return false;
             }
         }
-        self.values = values;
-        true
+        let before = std::mem::replace(&mut self.values, values);
+        // Components may share an output.
+        let fits = self.fits(entry);
+        if !fits {
+            self.values = before;
+        }
+        fits
     }
 
     /// Something happens by itself, or inputs change that mean nothing; or nothing happens.
@@ -186,11 +191,34 @@ fn two_events_against_a_never() {
     assert_eq!(play(&right, 1), Some(Ok(1)));
 }
 
+/// A command moves a component that knows nothing of it, if its sensor is on: it is warned of, and rightly.
+#[test]
+fn a_component_that_does_not_take_part() {
+    let text = "plant Tap {
+        output Open, Lamp input Full
+        controllable open { set Open } controllable warn { set Lamp }
+        automaton Valve { initial state Shut [!Open] { open -> Opened } state Opened [Open] }
+        automaton Basin { initial state Dry [!Open || !Full] state Wet [Open && Full] }
+        automaton Panel { initial state Dark [!Lamp] { warn -> Lit } state Lit [Lamp] }
+    }";
+    let (plant, _) = read(text, FileId(0)).expect("a plant");
+    assert_eq!(unreadable(&plant), []);
+    let closed = supervise(&plant, &Limits::default()).expect("a feedback");
+    assert_eq!(misreadable(&plant, &closed).len(), 1);
+    assert!((0..20).any(|seed| matches!(play(&plant, seed), Some(Err(_)))));
+}
+
+/// Warnings that a wrong state could be read, or what is meant only later; the second is slow, but sound.
+fn misreadable(plant: &Plant, closed: &ClosedLoop) -> Vec<String> {
+    let found = warnings(plant, closed).into_iter().filter(|one| one.code == Code::Misreadable);
+    found.map(|one| one.message).filter(|message| !message.ends_with("until the plant moves")).collect()
+}
+
 /// Whatever is accepted without doubt is sound; of what is not, enough goes wrong that the test can fail.
 #[test]
 fn random_plants() {
-    let seeds = std::env::var("SML_SEEDS").ok().and_then(|n| n.parse().ok()).unwrap_or(20_000);
-    let (mut sound, mut events, mut refused, mut doubtful) = (0, 0, [0; 2], [0; 2]);
+    let seeds = std::env::var("SML_SEEDS").ok().and_then(|n| n.parse().ok()).unwrap_or(8_000);
+    let (mut sound, mut events, mut refused, mut doubtful) = (0, 0, [0; 2], 0);
     for seed in 0..seeds {
         let plant = with_signals(random_plant::plant(seed), seed);
         let errors = unreadable(&plant);
@@ -203,14 +231,13 @@ fn random_plants() {
             continue;
         }
         let closed = supervise(&plant, &Limits::default()).expect("a feedback");
-        let is_doubt = |one: &synth_core::diagnostic::Diagnostic| one.code == Code::Misreadable;
-        if warnings(&plant, &closed).iter().any(is_doubt) {
-            doubtful[usize::from(result.is_err())] += 1;
+        if !misreadable(&plant, &closed).is_empty() {
+            doubtful += 1;
             continue;
         }
         events += result.unwrap_or_else(|why| panic!("seed {seed}: {why}\n{plant:#?}"));
         sound += 1;
     }
-    println!("{sound} sound, {events} events; refused {refused:?}, doubtful {doubtful:?}");
-    assert!(sound > 50 && events > sound && refused[1] > 50 && doubtful[1] > 0);
+    println!("{sound} sound, {events} events; {refused:?} refused, {doubtful} doubtful");
+    assert!(sound > 50 && events > sound && refused[1] > 50);
 }
