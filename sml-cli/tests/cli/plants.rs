@@ -337,3 +337,70 @@ fn ranges_tell_states_apart() {
     let is_instruction = |line: &&str| !line.is_empty() && !line.starts_with("(*");
     assert_eq!(text.lines().filter(is_instruction).count() as u64, run.json()["instructions"]);
 }
+
+/// A guard that must be down while the saw runs; `rests` and `runs` are how its blade is read.
+fn saw(rests: &str, runs: &str, constraint: &str) -> String {
+    format!(
+        "plant Saw {{
+  output Motor, Guard input Running
+  controllable start {{ set Motor }}
+  controllable lift {{ set Guard }}
+  automaton Blade {{
+    initial state Rests [{rests}] {{ start -> Runs }}
+    state Runs [{runs}]
+  }}
+  automaton Cover {{ initial state Down [!Guard] {{ lift -> Up }} state Up [Guard] }}
+  constraint Safe: {constraint}
+}}
+"
+    )
+}
+
+/// Until the sensor answers both events could fire.
+#[test]
+fn a_command_that_nobody_sees_is_2_at_its_edge() {
+    let text = saw("!Running", "Running", "never Blade.Runs && Cover.Up");
+    for arguments in ["check -", "supervise -", "export - --target ladder", "names - --target iec"] {
+        let run = refused(arguments, &text, 2, "SML0137");
+        assert!(run.stderr.contains("add `!Motor` to the formula of `Rests`"), "{}", run.stderr);
+    }
+    let found = sml_reading("check - --format json", text.as_bytes()).json();
+    let place = &found["diagnostics"][0];
+    assert_eq!((&place["line"], &place["column"]), (&json!(6), &json!(38)));
+    let text = saw("!Motor && !Running", "Motor", "never Blade.Runs && Cover.Up");
+    assert_eq!(sml_reading("check - --deny-warnings", text.as_bytes()).code, 0);
+}
+
+#[test]
+fn an_event_that_is_never_enabled_is_warned_of() {
+    let text = saw("!Motor", "Motor", "start only when Blade.Runs");
+    for arguments in ["check -", "supervise -", "export - --target il", "export - --target svg"] {
+        let run = sml_reading(arguments, text.as_bytes());
+        let shown = format!("{}{}", run.stdout, run.stderr);
+        assert!(run.code == 0 && shown.contains("`start` is never enabled"), "{shown}");
+        assert!(shown.contains("forbids it in 2 of them"), "{shown}");
+        assert_eq!(
+            sml_reading(&format!("{arguments} --deny SML0144"), text.as_bytes()).code,
+            1,
+            "{arguments}"
+        );
+        let run = sml_reading(&format!("{arguments} --deny-warnings --allow 144,97"), text.as_bytes());
+        assert!(run.code == 0 && !run.stderr.contains("warning"), "{}", run.stderr);
+    }
+    let found = sml_reading("check - --allow 97 --format json", text.as_bytes()).json();
+    assert_eq!(found["diagnostics"].as_array().map(Vec::len), Some(1));
+    let warning = &found["diagnostics"][0];
+    assert_eq!(
+        (&warning["code"], &warning["line"], &warning["column"]),
+        (&json!("SML0144"), &json!(3), &json!(16))
+    );
+}
+
+#[test]
+fn supervise_says_what_takes_specifications() {
+    let run = sml("supervise memory/spec.sml");
+    assert!(run.code == 2 && run.stderr.contains("`memory/spec.sml` is no plant"), "{}", run.stderr);
+    assert!(run.stderr.contains("write `sml check` or `sml synth`"), "{}", run.stderr);
+    let run = sml(&format!("synth {}", station()));
+    assert!(run.code == 2 && run.stderr.contains("write `sml check`, `sml supervise`"), "{}", run.stderr);
+}

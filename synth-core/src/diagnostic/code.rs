@@ -311,8 +311,8 @@ codes! {
         "The name is part of the interface, but this version does nothing under it yet. `sml --help` lists what it\n\
          does. The exit code is 2.\n";
     Unreadable = 102, "a file that cannot be opened",
-        "The file does not exist, is a folder or larger than a specification or a plant can be, or may not be read; `-` stands\n\
-         for the standard input. The exit code is 4.\n";
+        "The file does not exist, is a folder or larger than a specification or a plant can be, or may not be read; `-`\n\
+         stands for the standard input. The exit code is 4.\n";
     Unwritable = 103, "an output that cannot be written",
         "The folder does not exist, or it or the file may not be written. Files are written whole or not at all: what\n\
          was there before is untouched. The exit code is 4.\n";
@@ -459,6 +459,14 @@ codes! {
          automaton Door { initial state Shut [Closed && !Motor] { go -> Open } state Open [!Closed && Motor] }\n\
          Right:  controllable go { set Motor }\n        \
          automaton Door { initial state Shut [Closed && !Motor] { go -> Open } state Open [Motor] }\n";
+    Unnoticed = 139, "an event that happens by itself and is never seen",
+        "An uncontrollable event changes inputs, and never outputs: these keep what the program has commanded. Here, the two\n\
+         states that the event leads from and to differ in outputs only, so that the controller would read the old state for\n\
+         ever. Say in both formulas what a sensor shows; or if a command ends the state, make the event controllable.\n\n\
+         Wrong:  controllable go { set Motor }  uncontrollable done\n        \
+         automaton Door { initial state Rests [!Motor] { go -> Moves } state Moves [Motor] { done -> Rests } }\n\
+         Right:  controllable go { set Motor }  controllable done { reset Motor }\n        \
+         automaton Door { initial state Rests [!Motor] { go -> Moves } state Moves [Motor] { done -> Rests } }\n";
     NoFeedback = 140, "constraints that no feedback can keep",
         "The feedback may inhibit controllable events only, and must leave a way to a state in which all automata are\n\
          marked. From the initial state of this plant, whatever is inhibited, either a constraint is violated (a `never`\n\

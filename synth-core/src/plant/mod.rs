@@ -43,6 +43,7 @@ mod resolve;
 mod state_feedback;
 mod supremal;
 mod text;
+mod unnoticed;
 mod warnings;
 mod why;
 
@@ -58,6 +59,7 @@ pub use model::{
     SignalKind, State, StateRef,
 };
 pub use modular::{Modular, ModularError, Module, modular};
+pub use never_enabled::never_enabled;
 pub use parse::{RESERVED, parse_text, parse_tokens};
 pub use print::print;
 pub use program::{Coil, Drive, Program, Rung, Use, Variable};

@@ -7,7 +7,10 @@ use crate::diagnostic::{Code, Diagnostic};
 /// Up to so many states what would follow an event is explored again, to tell what is wrong with it.
 const MOST_EXPLAINED: u64 = 20_000;
 
-pub(super) fn warnings(plant: &Plant, closed: &ClosedLoop) -> Vec<Diagnostic> {
+/// A warning for each controllable event that some automaton names and no entry enables, with the reason, in the order of the
+/// file. It concerns controllers of every kind.
+#[must_use]
+pub fn never_enabled(plant: &Plant, closed: &ClosedLoop) -> Vec<Diagnostic> {
     let mut enabled = vec![false; plant.events.len()];
     for &(event, _) in &closed.edges {
         enabled[event as usize] = true;
@@ -95,10 +98,7 @@ fn everywhere_inhibited(
     warning =
         warning.note(format!("it is possible in {}, and inhibited in all of them", counted_entries(all)));
     for (source, count) in sources {
-        let name = source.name(plant);
-        warning = warning
-            .also(source.span(plant), format!("forbids it in {count}"))
-            .note(format!("`{name}` forbids it in {count}"));
+        warning = warning.also(source.span(plant), format!("forbids it in {count} of them"));
     }
     if let Some(&entry) = ahead.first() {
         warning = warning.note(format!("it is inhibited because of what would follow in {}", ahead.len()));

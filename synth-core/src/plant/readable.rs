@@ -92,7 +92,7 @@ pub(super) fn samples(plant: &Plant) -> Vec<Vec<i64>> {
 
 /// A search for values that make formulas true.
 pub(super) struct Search<'a> {
-    pub(super) plant: &'a Plant,
+    plant: &'a Plant,
     /// What is known of each signal.
     values: Vec<Option<bool>>,
     /// By analogue input.
