@@ -94,23 +94,21 @@ fn everywhere_inhibited(
             }
         }
     }
-    let all = inhibited.len();
-    warning =
-        warning.note(format!("it is possible in {}, and inhibited in all of them", counted_entries(all)));
+    warning = warning.note(match inhibited.len() {
+        1 => "it is possible in one entry, and inhibited there".to_owned(),
+        all => format!("it is possible in {all} entries, and inhibited in all of them"),
+    });
     for (source, count) in sources {
         warning = warning.also(source.span(plant), format!("forbids it in {count} of them"));
     }
     if let Some(&entry) = ahead.first() {
-        warning = warning.note(format!("it is inhibited because of what would follow in {}", ahead.len()));
+        let mut note = format!("in {} of them because of what would follow", ahead.len());
         if closed.constrained.0 <= MOST_EXPLAINED
             && let Some(Why::Unavoidable(unavoidable)) = why(plant, closed, entry, event)
         {
-            warning = warning.note(format!("for example: {}", unavoidable.text(plant)));
+            note = format!("{note}, such as: {}", unavoidable.text(plant));
         }
+        warning = warning.note(note);
     }
     warning.help("weaken the constraints, or remove the event")
-}
-
-fn counted_entries(count: usize) -> String {
-    if count == 1 { "1 entry".to_owned() } else { format!("{count} entries") }
 }

@@ -161,7 +161,7 @@ fn what_the_plant_does_is_seen() {
     check("automaton M { initial state S [L] { a -> T } state T [H] { b -> S } }");
     check("automaton M { initial state S [!Y && A] { a -> T } state T [(Y || B) && !A] { b -> S } }");
     check(
-        "controllable e { set Y } automaton M { initial state S [!Y && A]\n{ e -> T a -> U }\n       ~~~~~~ 139 nobody sees `a` lead from `S` to `U`\nstate T [Y && A] state U [Y && !A] }",
+        "controllable e { set Y } automaton M { initial state S [!Y && A]\n{ e -> T a -> U }\n         ~~~~~~ 139 nobody sees `a` lead from `S` to `U`\nstate T [Y && A] state U [Y && !A] }",
     );
 }
 
@@ -177,7 +177,7 @@ fn never_enabled() {
         "controllable on { set Y } controllable off { reset Y } automaton M { initial state Off [!Y] { on -> On } state On [Y] { off -> Off } } constraint C: off only when M.Off",
         &[
             "forbids it in 1 of them",
-            "it is possible in 1 entry, and inhibited in all of them",
+            "it is possible in one entry, and inhibited there",
             "weaken the constraints, or remove the event",
         ],
     );
@@ -197,9 +197,8 @@ fn never_enabled() {
     below(
         "controllable on { set Y } automaton M { initial state Off [!Y] { on -> On } state On [Y] } constraint C: never M.On",
         &[
-            "it is possible in 1 entry, and inhibited in all of them",
-            "it is inhibited because of what would follow in 1",
-            "for example: `C` would be violated",
+            "it is possible in one entry, and inhibited there",
+            "in 1 of them because of what would follow, such as: `C` would be violated",
             "weaken the constraints, or remove the event",
         ],
     );
