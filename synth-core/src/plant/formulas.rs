@@ -8,7 +8,7 @@ use super::readable::samples;
 use super::remember::Remembered;
 use super::{ClosedLoop, Condition, EventId, Plant, Program, SignalId, SignalKind};
 use crate::emit::scan::formula::PLANT;
-use crate::logic::{Bdd, Cover, Expr, Function, Minimal, TooLarge, Var, factor, minimize};
+use crate::logic::{Bdd, Expr, Function, Minimal, TooLarge, Var, factor, minimize};
 use hashbrown::HashMap;
 use rustc_hash::FxBuildHasher;
 use std::fmt;
@@ -32,14 +32,28 @@ pub enum DontCare {
 pub struct Formula {
     /// The event.
     pub event: EventId,
-    /// As a disjunction with the fewest terms, and of those the fewest literals; or why there is none of reasonable size.
+    /// As a disjunction with the fewest terms, and of those the fewest literals, of all functions that the policy allows; or why
+    /// there is none of reasonable size.
     pub terms: Result<Minimal, TooLarge>,
-    /// With as few instructions as were found.
+    /// The same function, with as few instructions as were found.
     pub factored: Expr,
 }
 
 impl Formula {
+    /// For people: as [`Formula::text`], but `never` and `always` in place of a formula that is constant.
+    #[must_use]
+    pub fn words(&self, program: &Program) -> String {
+        match self.factored {
+            Expr::Constant(false) => "never".to_owned(),
+            Expr::Constant(true) => "always".to_owned(),
+            _ => self.text(program),
+        }
+    }
+
     /// In the syntax of plants, with the names of the program's variables: its terms, or where these are too many, factored.
+    ///
+    /// That syntax has no constants: what never holds is `x && !x` and what always holds is `x || !x`, so that whoever
+    /// reads conditions can read this.
     #[must_use]
     pub fn text(&self, program: &Program) -> String {
         let name = |variable: Var| program.variables[variable as usize].name.clone();
@@ -276,15 +290,15 @@ impl<'a> Bounds<'a> {
             return Ok(Err(self.indistinguishable(event, &witness)));
         }
         let upper = self.upper(on, off)?;
-        let terms = minimize(&mut self.bdd, on, upper);
         let precondition = self.precondition(event)?;
-        let cover = terms.as_ref().ok().map(|terms| &terms.cover);
-        let factored = factor(&mut self.bdd, on, upper, &[precondition])?;
-        for expr in [Some(&factored), cover.map(Cover::expr).as_ref()].into_iter().flatten() {
-            let function = expr.function(&mut self.bdd)?;
-            if !self.is_right(function, on, off)? {
-                return Ok(Err(FormulaError::Wrong { event: Some(event) }));
-            }
+        let (terms, factored) = self.forms(on, upper, precondition)?;
+        let function = factored.function(&mut self.bdd)?;
+        let same = match &terms {
+            Ok(terms) => terms.cover.expr().function(&mut self.bdd)? == function,
+            Err(_) => true,
+        };
+        if !same || !self.is_right(function, on, off)? {
+            return Ok(Err(FormulaError::Wrong { event: Some(event) }));
         }
         let variable = |level: Var| self.order[level as usize];
         Ok(Ok(Formula {
@@ -292,6 +306,25 @@ impl<'a> Bounds<'a> {
             terms: terms.map(|terms| Minimal { cover: terms.cover.renamed(variable), ..terms }),
             factored: factored.renamed(&variable).in_order(),
         }))
+    }
+
+    /// Both forms of one function between the bounds: a disjunction that is a smallest of all of them, and this factored.
+    fn forms(
+        &mut self,
+        lower: Function,
+        upper: Function,
+        precondition: Function,
+    ) -> Result<(Result<Minimal, TooLarge>, Expr), TooLarge> {
+        let terms = minimize(&mut self.bdd, lower, upper);
+        let (lower, upper) = match &terms {
+            Ok(terms) => {
+                let function = terms.cover.function(&mut self.bdd)?;
+                (function, function)
+            }
+            Err(_) => (lower, upper),
+        };
+        let factored = factor(&mut self.bdd, lower, upper, &[precondition])?;
+        Ok((terms, factored))
     }
 
     fn upper(&mut self, on: Function, off: Function) -> Result<Function, TooLarge> {

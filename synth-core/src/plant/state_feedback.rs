@@ -132,18 +132,12 @@ impl Assembly<'_, '_> {
         };
         let mut delayed = Vec::new();
         for write in writes.into_iter().filter(|write| !write.always) {
-            let relay = self
-                .scratch(&format!("{}_{name}", self.program.variables[write.coil.variable as usize].name));
             let condition = not_constant(guarded(write.condition));
-            let comment = vec![format!("whether `{name}` changes the bit")];
-            self.rung(None, comment, condition, vec![Coil { variable: relay, drive: Drive::Out }]);
-            delayed.push((relay, write.coil));
+            delayed.push(self.delay(Some(name), write.coil, Vec::new(), condition));
         }
         let comment = comments::of_event(plant, self.bounds.closed, event);
         self.rung(Some(event), comment, not_constant(guarded(expr.clone())), coils);
-        for (relay, coil) in delayed {
-            self.rung(None, Vec::new(), Expr::literal(relay, true), vec![coil]);
-        }
+        self.drive(delayed);
         self.check_event(event, expr, first_rung)
     }
 

@@ -9,7 +9,7 @@ use crate::warnings::{self, Warnings};
 use crate::{input, output};
 use std::path::PathBuf;
 use synth_core::diagnostic::{Code, counted};
-use synth_core::plant::{Plant, Realization, write_json};
+use synth_core::plant::{Plant, Realization, StateFeedback, write_json};
 
 /// Arguments of `sml supervise`.
 #[derive(Debug, clap::Args)]
@@ -56,14 +56,10 @@ fn no_plant(name: &str) -> Failure {
     )
 }
 
-fn realization(plant: &Plant, controlled: &Controlled) -> Option<Realization> {
-    controlled.feedback.as_ref().map(|feedback| Realization::new(plant, feedback))
-}
-
 /// Also what `sml export --target json` writes.
 pub(super) fn json(plant: &Plant, controlled: &Controlled) -> String {
     let mut bytes = Vec::new();
-    let realization = realization(plant, controlled);
+    let realization = controlled.feedback.as_ref().map(|feedback| Realization::new(plant, feedback));
     write_json(plant, &controlled.closed, realization.as_ref(), &mut bytes).expect("memory takes all");
     String::from_utf8(bytes).expect("JSON is text")
 }
@@ -71,12 +67,14 @@ pub(super) fn json(plant: &Plant, controlled: &Controlled) -> String {
 fn text(plant: &Plant, controlled: &Controlled) -> String {
     let closed = &controlled.closed;
     let mut text = format!("{}\n{}", closed.figures(), closed.table(plant));
-    match realization(plant, controlled) {
+    match &controlled.feedback {
         None => text.push_str("\nno formulas: the plant declares no inputs and outputs\n"),
-        Some(Realization { formulas, figures }) => {
+        Some(StateFeedback { formulas, program }) => {
+            let figures = program.figures();
             text.push('\n');
-            for (event, formula) in formulas {
-                text.push_str(&format!("{event}: {formula}\n"));
+            for formula in formulas {
+                let event = &plant.events[formula.event as usize].name;
+                text.push_str(&format!("{event}: {}\n", formula.words(program)));
             }
             text.push_str(&format!(
                 "\n{}, {} in an instruction list, at most {} on the stack\n",

@@ -15,6 +15,14 @@ pub(super) struct Write {
     pub always: bool,
 }
 
+/// A coil that is driven when a relay, written further up, says so.
+pub(super) struct Delayed {
+    relay: Var,
+    coil: Coil,
+    /// What it does, for comments.
+    what: String,
+}
+
 /// When one bit becomes true and when it becomes false, in the variables of the diagrams.
 #[derive(Clone, Copy)]
 pub(super) struct Switch {
@@ -94,18 +102,41 @@ impl Assembly<'_, '_> {
             let condition = not_constant(write.condition);
             if alone {
                 self.rung(None, comment, condition, vec![write.coil]);
-                continue;
+            } else {
+                delayed.push(self.delay(None, write.coil, comment, condition));
             }
-            let word = if write.coil.drive == Drive::Set { "set" } else { "reset" };
-            let bit = &self.program.variables[write.coil.variable as usize].name;
-            let relay = self.scratch(&format!("{word}_{bit}"));
-            self.rung(None, comment, condition, vec![Coil { variable: relay, drive: Drive::Out }]);
-            delayed.push((relay, write.coil));
         }
-        for (relay, coil) in delayed {
-            self.rung(None, Vec::new(), Expr::literal(relay, true), vec![coil]);
-        }
+        self.drive(delayed);
         self.check_update(&switches, first_rung)
+    }
+
+    /// A rung that finds out whether a bit is to change, before any bit does; `cause` is the event if it is one's.
+    pub(super) fn delay(
+        &mut self,
+        cause: Option<&str>,
+        coil: Coil,
+        mut comment: Vec<String>,
+        condition: Expr,
+    ) -> Delayed {
+        let bit = &self.program.variables[coil.variable as usize].name;
+        let verb = if coil.drive == Drive::Set { "set" } else { "reset" };
+        let (relay, what) = match cause {
+            Some(event) => (format!("{event}_{verb}s_{bit}"), format!("`{event}` {verb}s `{bit}`")),
+            None => (format!("{verb}_{bit}"), format!("{verb} `{bit}`")),
+        };
+        let when = if cause.is_some() { "whether" } else { "whether to" };
+        comment.push(format!("{when} {what}; found before any bit changes"));
+        let relay = self.scratch(&relay);
+        self.rung(None, comment, condition, vec![Coil { variable: relay, drive: Drive::Out }]);
+        Delayed { relay, coil, what }
+    }
+
+    /// The rungs that change bits as was found.
+    pub(super) fn drive(&mut self, delayed: Vec<Delayed>) {
+        for Delayed { relay, coil, what } in delayed {
+            let comment = vec![format!("{what}, as found above")];
+            self.rung(None, comment, Expr::literal(relay, true), vec![coil]);
+        }
     }
 
     /// There is one bit, and where it has been set it is not reset at once.

@@ -75,9 +75,12 @@ pub(super) fn items(source: &Source<'_>, idents: &Idents) -> TokenStream {
 /// What an event is, what it does, and when it may fire.
 fn event_doc(source: &Source<'_>, number: u32, event: &Event) -> TokenStream {
     let name = |variable| source.name(variable).to_owned();
-    let rungs = source.program.rungs.iter().filter(|rung| rung.event == Some(number));
+    let mut rungs = source.program.rungs.iter().filter(|rung| rung.event == Some(number)).peekable();
     let mut lines: Vec<String> = vec![format!("`{}`", event.name)];
     lines.extend(gap(&event.doc).map(str::to_owned));
+    if rungs.peek().is_none() {
+        lines.extend([String::new(), "No scan causes it: it has no rung.".to_owned()]);
+    }
     for rung in rungs {
         let condition = PLANT.text(&rung.condition, &name);
         let commands = commands(source, rung);
