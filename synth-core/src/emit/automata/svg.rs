@@ -1,29 +1,16 @@
-//! Drawings: states in layers by their distance from the initial one, from left to right.
-//!
-//! An arrow to the next layer runs between the sides of states, any other one below them: so the cycles that components mostly
-//! are look like cycles.
+//! Drawings. [`layout`] says where things are.
+
+mod layout;
 
 use std::fmt::Write as _;
 
+use self::layout::{GAP, Layout, Place};
 use super::{Edge, Graph};
 use crate::emit::scan::ladder::escaped;
 
 const CHARACTER: usize = 7;
 const LINE: usize = 16;
 const MARGIN: usize = 20;
-/// Between layers beside the longest label, and between states of a layer.
-const GAP: usize = 40;
-
-/// The box of a state.
-#[derive(Clone, Copy)]
-struct Place {
-    layer: usize,
-    x: usize,
-    y: usize,
-    width: usize,
-    height: usize,
-}
-
 /// All automata, one below the other.
 pub(super) fn drawing(plant: &str, graphs: &[Graph]) -> String {
     let mut body = String::new();
@@ -55,20 +42,11 @@ pub(super) fn drawing(plant: &str, graphs: &[Graph]) -> String {
 
 /// Draws below `top`, and returns the right and the lower end.
 fn draw(out: &mut String, graph: &Graph, top: usize) -> (usize, usize) {
-    let places = places(graph, top);
-    let right = places.iter().map(|place| place.x + place.width).max().unwrap_or(0);
-    let mut bottom = places.iter().map(|place| place.y + place.height).max().unwrap_or(top);
-    // What runs below the states has a track of its own.
-    let floor = bottom;
-    for edge in &graph.edges {
-        let (from, to) = (places[edge.source], places[edge.target]);
-        let (path, (x, y)) = if to.layer == from.layer + 1 {
-            forward(from, to)
-        } else {
-            bottom += LINE + 4;
-            around(from, to, bottom.max(floor))
-        };
-        arrow(out, edge, &path, x, y);
+    let Layout { places, routes, right, bottom } = Layout::new(graph, top);
+    for (edge, route) in graph.edges.iter().zip(&routes) {
+        let class = if edge.controllable { "" } else { " class=\"dashed\"" };
+        // Writing to a string cannot fail.
+        let _ = writeln!(out, "<path{class} d=\"{}\" marker-end=\"url(#tip)\"/>", route.path);
     }
     if let Some(initial) = places.get(graph.initial) {
         let y = initial.y + initial.height / 2;
@@ -92,74 +70,24 @@ fn draw(out: &mut String, graph: &Graph, top: usize) -> (usize, usize) {
             let _ = writeln!(out, "<text x=\"{x}\" y=\"{y}\">{}</text>", escaped(text));
         }
     }
+    // Last, so that no line strikes them out.
+    let mut taken: Vec<[usize; 4]> = Vec::new();
+    for (edge, route) in graph.edges.iter().zip(&routes) {
+        label(out, edge, &route.labels, &mut taken);
+    }
     (right, bottom)
 }
 
-fn arrow(out: &mut String, edge: &Edge, path: &str, x: usize, y: usize) {
-    let class = if edge.controllable { "" } else { " class=\"dashed\"" };
-    let _ = writeln!(out, "<path{class} d=\"{path}\" marker-end=\"url(#tip)\"/>");
-    let _ = writeln!(out, "<text class=\"label\" x=\"{x}\" y=\"{y}\">{}</text>", escaped(&edge.label));
-}
-
-/// From the right side to the left one, and where the label stands.
-fn forward(from: Place, to: Place) -> (String, (usize, usize)) {
-    let (x, y) = (from.x + from.width, from.y + from.height / 2);
-    let (end, level) = (to.x, to.y + to.height / 2);
-    let middle = usize::midpoint(x, end);
-    (format!("M{x} {y}C{middle} {y} {middle} {level} {end} {level}"), (middle, usize::midpoint(y, level) - 4))
-}
-
-/// From the lower side to the lower side, along a track.
-fn around(from: Place, to: Place, track: usize) -> (String, (usize, usize)) {
-    // A state's own arrow begins and ends at different places.
-    let (x, end) = (from.x + from.width * 2 / 3, to.x + to.width / 3);
-    let (y, level) = (from.y + from.height, to.y + to.height);
-    (format!("M{x} {y}V{track}H{end}V{level}"), (usize::midpoint(x, end), track - 3))
-}
-
-fn places(graph: &Graph, top: usize) -> Vec<Place> {
-    let layers = layers(graph);
-    let longest = |layer: &[usize]| {
-        let lines = layer.iter().flat_map(|&node| &graph.nodes[node].lines);
-        lines.map(|line| line.chars().count()).max().unwrap_or(0)
+/// Writes a label at the first place that is free of other ones, or else at the best.
+fn label(out: &mut String, edge: &Edge, places: &[(usize, usize)], taken: &mut Vec<[usize; 4]>) {
+    let half = edge.label.chars().count() * CHARACTER / 2;
+    let area = |(x, y): (usize, usize)| [x.saturating_sub(half), x + half, y.saturating_sub(LINE * 3 / 4), y];
+    let is_free = |&&place: &&(usize, usize)| {
+        let [left, right, above, below] = area(place);
+        taken.iter().all(|&[l, r, a, b]| right < l || r < left || below < a || b < above)
     };
-    let label = graph.edges.iter().map(|edge| edge.label.chars().count()).max().unwrap_or(0);
-    let heights: Vec<usize> = graph.nodes.iter().map(|node| LINE * node.lines.len() + 8).collect();
-    let total = |layer: &[usize]| layer.iter().map(|&node| heights[node] + GAP).sum::<usize>();
-    let tallest = layers.iter().map(|layer| total(layer)).max().unwrap_or(0);
-    let mut places = vec![Place { layer: 0, x: 0, y: top, width: 0, height: 0 }; graph.nodes.len()];
-    let mut x = 2 * MARGIN;
-    for (number, layer) in layers.iter().enumerate() {
-        let width = longest(layer) * CHARACTER + 16;
-        let mut y = top + (tallest - total(layer)) / 2;
-        for &node in layer {
-            places[node] = Place { layer: number, x, y, width, height: heights[node] };
-            y += heights[node] + GAP;
-        }
-        x += width + GAP + label * CHARACTER;
+    if let Some(&(x, y)) = places.iter().find(is_free).or(places.first()) {
+        taken.push(area((x, y)));
+        let _ = writeln!(out, "<text class=\"label\" x=\"{x}\" y=\"{y}\">{}</text>", escaped(&edge.label));
     }
-    places
-}
-
-/// States by their distance from the initial one, those out of its reach last.
-fn layers(graph: &Graph) -> Vec<Vec<usize>> {
-    let mut seen = vec![false; graph.nodes.len()];
-    let mut layers = Vec::new();
-    let mut layer = vec![graph.initial];
-    seen[graph.initial] = true;
-    while !layer.is_empty() {
-        let mut next = Vec::new();
-        for edge in layer.iter().flat_map(|&node| graph.edges.iter().filter(move |edge| edge.source == node))
-        {
-            if !std::mem::replace(&mut seen[edge.target], true) {
-                next.push(edge.target);
-            }
-        }
-        layers.push(std::mem::replace(&mut layer, next));
-    }
-    let rest: Vec<usize> = (0..graph.nodes.len()).filter(|&node| !seen[node]).collect();
-    if !rest.is_empty() {
-        layers.push(rest);
-    }
-    layers
 }
