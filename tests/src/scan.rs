@@ -181,6 +181,20 @@ const NAMES: &[&str] = &[
     "X_1",
     "loop",
     "inputVar",
+    "scan",
+    "core",
+    "std",
+    "Option",
+    "Default",
+    "memory_2",
+    "END_IF",
+    "EN",
+    "ENO",
+    "R",
+    "TO_INT",
+    "raw",
+    "async",
+    "gen",
 ];
 
 /// A random program.

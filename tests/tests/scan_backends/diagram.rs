@@ -40,6 +40,7 @@ pub(crate) fn read(xml: &str) -> Diagram {
     let body = document.descendants().find(|node| node.tag_name().name() == "LD").expect("a ladder");
     let mut diagram = Diagram { elements: BTreeMap::new(), coils: Vec::new() };
     let mut last = (0, 0);
+    wires_are_drawn(body);
     for node in body.children().filter(Node::is_element) {
         let id: usize = node.attribute("localId").expect("an id").parse().expect("a number");
         let text = |name: &str| child(node, name).and_then(|node| node.text()).expect("text").to_owned();
@@ -77,6 +78,39 @@ pub(crate) fn read(xml: &str) -> Diagram {
         assert!(diagram.elements.insert(id, element).is_none(), "ids are unique");
     }
     diagram
+}
+
+fn point(node: Node<'_, '_>) -> (usize, usize) {
+    let [x, y] = ["x", "y"].map(|name| node.attribute(name).expect("a place").parse().expect("a number"));
+    (x, y)
+}
+
+/// Wires lead from where an element is fed to an output of what feeds it, leftwards, up and down.
+fn wires_are_drawn(body: Node<'_, '_>) {
+    let elements: Vec<Node<'_, '_>> = body.children().filter(Node::is_element).collect();
+    let ends = |node: Node<'_, '_>, kind: &str| -> Vec<(usize, usize)> {
+        let (x, y) = child(node, "position").map(point).expect("a position");
+        let points = node.descendants().filter(|node| node.tag_name().name() == kind);
+        let relative = points.map(|node| child(node, "relPosition").map(point).expect("a position"));
+        relative.map(|(right, down)| (x + right, y + down)).collect()
+    };
+    for &element in &elements {
+        let inputs = element.descendants().filter(|node| node.tag_name().name() == "connectionPointIn");
+        for (input, here) in inputs.zip(ends(element, "connectionPointIn")) {
+            for wire in input.children().filter(|node| node.tag_name().name() == "connection") {
+                let from =
+                    elements.iter().find(|other| other.attribute("localId") == wire.attribute("refLocalId"));
+                let outputs = ends(*from.expect("an element"), "connectionPointOut");
+                let points: Vec<_> = wire.children().filter(Node::is_element).map(point).collect();
+                assert_eq!(points[0], here);
+                assert!(outputs.contains(&points[points.len() - 1]), "{outputs:?} {points:?}");
+                for pair in points.windows(2) {
+                    let [(x, y), (next_x, next_y)] = [pair[0], pair[1]];
+                    assert!(y == next_y && next_x < x || x == next_x && y != next_y, "{points:?}");
+                }
+            }
+        }
+    }
 }
 
 impl Diagram {

@@ -12,7 +12,7 @@
 //! whose variable the condition reads are driven last, and where there are several, the condition goes through a variable of
 //! its own first.
 //!
-//! Positions are in pixels, which is what editors take them for. They stand on the grid of the [drawing in
+//! Positions are in pixels, which is what editors take them for, and wires have all their bends. They stand on the grid of the [drawing in
 //! text](crate::emit::scan::ladder).
 
 use super::xml::{Attribute, Xml};
@@ -36,6 +36,8 @@ const MARGIN: usize = 20;
 const SYMBOL: (usize, usize) = (21, 15);
 const BLOCK: (usize, usize) = (60, 60);
 const RAIL_WIDTH: usize = 3;
+/// How far before an input wires go up or down.
+const BEND: usize = 10;
 
 /// The whole document, ending in a newline, deterministic.
 #[must_use]
@@ -184,8 +186,18 @@ fn reads(expr: &Expr, variable: Var) -> bool {
     }
 }
 
-/// Where current comes from: elements, and the outputs of those that have several.
-type From = (usize, Option<&'static str>);
+/// Pixels from the left and from the top.
+type Point = (usize, usize);
+
+/// Where current comes from.
+#[derive(Clone, Copy)]
+struct Outlet {
+    /// The element.
+    id: usize,
+    /// Which of its outputs, if it has several.
+    output: Option<&'static str>,
+    at: Point,
+}
 
 /// Draws networks one below the other.
 struct Pen<'a> {
@@ -214,18 +226,20 @@ impl Pen<'_> {
                 widths.iter().for_each(|width| ends.push(ends[ends.len() - 1] + width));
                 let at: Vec<_> =
                     places.iter().map(|&(column, row)| (ends[column], top + row * ROW)).collect();
-                let from = self.contacts(condition, vec![(rail, None)], &mut at.iter());
+                let rail = Outlet { id: rail, output: None, at: (left + RAIL_WIDTH, top + SYMBOL.1 / 2) };
+                let from = self.contacts(condition, vec![rail], &mut at.iter());
                 (from, ends[columns], rows)
             }
             // Blocks are connected to variables, so there is no left rail.
             Condition::Range(analogue, low, high) => {
-                (self.range(analogue, *low, *high, top), left + 4 * 120, 3)
+                let both = self.range(analogue, *low, *high, top);
+                (vec![both], both.at.0 + COLUMN_GAP, 3)
             }
         };
         let width = network.coils.iter().map(|(name, _)| name.len() * CHARACTER).max().unwrap_or(0);
         let mut coils = Vec::new();
         for (row, (name, drive)) in network.coils.iter().enumerate() {
-            coils.push((self.coil(name, *drive, (x, top + row * ROW), &from), None));
+            coils.push(self.coil(name, *drive, (x, top + row * ROW), &from));
         }
         let id = self.id();
         self.rail("rightPowerRail", id, x + COLUMN_GAP + width.max(SYMBOL.0), &coils);
@@ -248,26 +262,26 @@ impl Pen<'_> {
     fn contacts<'p>(
         &mut self,
         expr: &Expr,
-        from: Vec<From>,
-        places: &mut impl Iterator<Item = &'p (usize, usize)>,
-    ) -> Vec<From> {
+        from: Vec<Outlet>,
+        places: &mut impl Iterator<Item = &'p Point>,
+    ) -> Vec<Outlet> {
         match expr {
             Expr::Constant(_) => from,
             Expr::Literal(literal) => {
                 let at = places.next().copied().unwrap_or_default();
-                vec![(self.contact(*literal, at, &from), None)]
+                vec![self.contact(*literal, at, &from)]
             }
             Expr::And(all) => all.iter().fold(from, |from, part| self.contacts(part, from, places)),
             Expr::Or(any) => any.iter().flat_map(|part| self.contacts(part, from.clone(), places)).collect(),
         }
     }
 
-    fn contact(&mut self, literal: Literal, at: (usize, usize), from: &[From]) -> usize {
+    fn contact(&mut self, literal: Literal, at: Point, from: &[Outlet]) -> Outlet {
         let name = self.variables[literal.variable as usize].clone();
         self.symbol("contact", &name, ("negated", if literal.negated { "true" } else { "false" }), at, from)
     }
 
-    fn coil(&mut self, name: &str, drive: Drive, at: (usize, usize), from: &[From]) -> usize {
+    fn coil(&mut self, name: &str, drive: Drive, at: Point, from: &[Outlet]) -> Outlet {
         let storage = match drive {
             Drive::Set => "set",
             Drive::Reset => "reset",
@@ -281,21 +295,21 @@ impl Pen<'_> {
         kind: &str,
         name: &str,
         modifier: Attribute<'_>,
-        at: (usize, usize),
-        from: &[From],
-    ) -> usize {
+        at: Point,
+        from: &[Outlet],
+    ) -> Outlet {
         let id = self.id();
         self.sized(kind, id, SYMBOL, &[modifier], |xml| {
             position(xml, "position", at);
-            point_in(xml, (0, SYMBOL.1 / 2), from);
+            point_in(xml, at, (0, SYMBOL.1 / 2), from);
             point_out(xml, &[], (SYMBOL.0, SYMBOL.1 / 2));
             xml.plain("variable", name);
         });
-        id
+        Outlet { id, output: None, at: (at.0 + SYMBOL.0, at.1 + SYMBOL.1 / 2) }
     }
 
     /// A rail as high as what is connected to it.
-    fn rail(&mut self, kind: &str, id: usize, x: usize, from: &[From]) {
+    fn rail(&mut self, kind: &str, id: usize, x: usize, from: &[Outlet]) {
         let top = self.top;
         let size = (RAIL_WIDTH, from.len().max(1) * ROW);
         self.sized(kind, id, size, &[], |xml| {
@@ -304,27 +318,31 @@ impl Pen<'_> {
                 point_out(xml, &[("formalParameter", "")], (RAIL_WIDTH, SYMBOL.1 / 2));
             }
             for (row, coil) in from.iter().enumerate() {
-                point_in(xml, (0, row * ROW + SYMBOL.1 / 2), std::slice::from_ref(coil));
+                point_in(xml, (x, top), (0, row * ROW + SYMBOL.1 / 2), std::slice::from_ref(coil));
             }
         });
     }
 
     /// Two comparisons and their conjunction.
-    fn range(&mut self, analogue: &str, low: i64, high: i64, top: usize) -> Vec<From> {
+    fn range(&mut self, analogue: &str, low: i64, high: i64, top: usize) -> Outlet {
+        let left = MARGIN + COLUMN_GAP;
+        let numbers = [low, high].map(|number| number.to_string().len());
+        let longest = numbers.into_iter().max().unwrap_or(0).max(analogue.len());
+        let middle = left + (longest + 1) * CHARACTER + COLUMN_GAP;
         let mut comparison = |kind: &'static str, number: i64, y: usize| {
             let inputs = [analogue.to_owned(), number.to_string()];
             let mut line = y;
             let inputs = inputs.map(|expression| {
                 line += LINE;
-                (self.in_variable(&expression, (MARGIN + COLUMN_GAP, line)), None)
+                self.in_variable(&expression, (left, line))
             });
-            (self.block(kind, (MARGIN + 240, y), &inputs), Some("OUT"))
+            self.block(kind, (middle, y), &inputs)
         };
         let both = [comparison("GE", low, top), comparison("LE", high, top + 3 * ROW / 2)];
-        vec![(self.block("AND", (MARGIN + 360, top), &both), Some("OUT"))]
+        self.block("AND", (middle + BLOCK.0 + COLUMN_GAP, top), &both)
     }
 
-    fn in_variable(&mut self, expression: &str, at: (usize, usize)) -> usize {
+    fn in_variable(&mut self, expression: &str, at: Point) -> Outlet {
         let id = self.id();
         let size = (expression.len() * CHARACTER + CHARACTER, LINE);
         self.sized("inVariable", id, size, &[], |xml| {
@@ -332,10 +350,10 @@ impl Pen<'_> {
             point_out(xml, &[], (size.0, LINE / 2));
             xml.plain("expression", expression);
         });
-        id
+        Outlet { id, output: None, at: (at.0 + size.0, at.1 + LINE / 2) }
     }
 
-    fn block(&mut self, kind: &str, at: (usize, usize), inputs: &[From]) -> usize {
+    fn block(&mut self, kind: &str, at: Point, inputs: &[Outlet]) -> Outlet {
         let id = self.id();
         self.sized("block", id, BLOCK, &[("typeName", kind)], |xml| {
             position(xml, "position", at);
@@ -343,7 +361,7 @@ impl Pen<'_> {
                 for (number, input) in (1..).zip(inputs) {
                     let name = format!("IN{number}");
                     xml.element("variable", &[("formalParameter", &name)], |xml| {
-                        point_in(xml, (0, LINE / 2 + number * LINE), std::slice::from_ref(input));
+                        point_in(xml, at, (0, LINE / 2 + number * LINE), std::slice::from_ref(input));
                     });
                 }
             });
@@ -354,7 +372,7 @@ impl Pen<'_> {
                 });
             });
         });
-        id
+        Outlet { id, output: Some("OUT"), at: (at.0 + BLOCK.0, at.1 + LINE / 2 + LINE) }
     }
 
     /// A comment above a network; `top` moves below it.
@@ -397,23 +415,35 @@ fn collect(expr: &Expr, out: &mut Vec<Literal>) {
     }
 }
 
-fn position(xml: &mut Xml, name: &str, (x, y): (usize, usize)) {
+fn position(xml: &mut Xml, name: &str, (x, y): Point) {
     xml.empty(name, &[("x", &x.to_string()), ("y", &y.to_string())]);
 }
 
-fn point_out(xml: &mut Xml, attributes: &[Attribute<'_>], at: (usize, usize)) {
+fn point_out(xml: &mut Xml, attributes: &[Attribute<'_>], at: Point) {
     xml.on_a_line("connectionPointOut", attributes, |xml| position(xml, "relPosition", at));
 }
 
-fn point_in(xml: &mut Xml, at: (usize, usize), from: &[From]) {
-    xml.on_a_line("connectionPointIn", &[], |xml| {
-        position(xml, "relPosition", at);
-        for (id, output) in from {
+/// Where current comes into an element that stands at `at`, with the wires.
+///
+/// A wire is a list of points from here to where current comes from. Some editors draw wires without points from one input to
+/// another.
+fn point_in(xml: &mut Xml, at: Point, relative: Point, from: &[Outlet]) {
+    let here = (at.0 + relative.0, at.1 + relative.1);
+    xml.element("connectionPointIn", &[], |xml| {
+        position(xml, "relPosition", relative);
+        for Outlet { id, output, at } in from {
             let id = id.to_string();
             let output = output.map(|output| ("formalParameter", output));
             let attributes: Vec<Attribute<'_>> =
                 std::iter::once(("refLocalId", id.as_str())).chain(output).collect();
-            xml.empty("connection", &attributes);
+            // Up and down between the columns, right before this one.
+            let bend = here.0 - BEND;
+            let bends = [(bend, here.1), (bend, at.1)];
+            let bends = if here.1 == at.1 { &[][..] } else { &bends };
+            xml.on_a_line("connection", &attributes, |xml| {
+                let points = std::iter::once(&here).chain(bends).chain([at]);
+                points.for_each(|&point| position(xml, "position", point));
+            });
         }
     });
 }
