@@ -18,6 +18,11 @@
 //! 49 instructions of x86-64 a scan instead of 92, but 117 with putting the signals into the word and getting them out again
 //! (callgrind, optimised for speed; 58, 92 and 131 for size): it pays only for callers that have such a word already, and
 //! all others would pay for them.
+//!
+//! A ring of twelve machines of which one runs at a time, 36 signals and 24 conditions of up to 36 literals, is about the best
+//! that can happen to masks. There a scan takes 413 instructions with `&&` and `||`; 284 with one word of 64 bits, filled and
+//! emptied in every scan; 395 with two words of 32 bits, which coils write to beside the fields. Registers of small machines
+//! have 32 bits, and there every mask and every number are constants that take two instructions to load.
 
 mod events;
 mod idents;
