@@ -213,16 +213,16 @@ fn variables(bounds: &mut Bounds<'_>) -> Result<Vec<Variable>, TooLarge> {
         variables.push(Variable { name: signal.name.clone(), usage, doc: signal.doc.clone() });
     }
     for remembered in bounds.memory {
-        let automaton = &plant.automata[remembered.automaton as usize];
+        let automata = remembered.name(plant);
         for bit in 0..remembered.bits {
             let name = match remembered.bits {
-                1 => automaton.name.clone(),
-                _ => format!("{}_{bit}", automaton.name),
+                1 => automata.clone(),
+                _ => format!("{automata}_{bit}"),
             };
             variables.push(Variable {
                 name: unique(&variables, &name),
                 usage: Use::Memory(remembered.initial >> bit & 1 == 1),
-                doc: vec![format!("What `{}` has to remember", automaton.name)],
+                doc: remembered.doc(plant),
             });
         }
     }
