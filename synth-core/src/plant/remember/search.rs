@@ -1,13 +1,14 @@
 //! The fewest bits, by search.
 
 use super::conclude::Conclusion;
+use std::cmp::Reverse;
 
 /// So many states are searched; with more there are too many ways.
 pub(super) const STATES: usize = 512;
 /// So many bits at most: a set of codes is a word.
 const BITS: u32 = 6;
 /// Conclusions that are looked at before the search for so many bits gives up.
-const STEPS: u64 = 4_000_000;
+const STEPS: u64 = 1_000_000;
 
 /// Codes of states.
 #[derive(Debug)]
@@ -43,6 +44,7 @@ pub(super) fn search(
             possible: vec![all; states],
             trail: Vec::new(),
             open: Vec::new(),
+            conflicts: vec![0; states],
             steps: 0,
         };
         if search.narrow(initial, 1) && search.propagate() && search.run() {
@@ -90,6 +92,8 @@ struct Search<'a> {
     trail: Vec<(u32, u64)>,
     /// States whose code has become known and that have not been looked at.
     open: Vec<u32>,
+    /// Per state how often no code was left for it.
+    conflicts: Vec<u32>,
     steps: u64,
 }
 
@@ -123,12 +127,15 @@ impl Search<'_> {
         known.fold(1, |used, code| used | code | (code - 1))
     }
 
-    /// The state with the fewest codes to choose from, then the one about which most is said, then the first.
+    /// The state with the fewest codes to choose from, then the one that was most often the reason to go back, then the one
+    /// about which most is said, then the first.
     fn next(&self) -> Option<u32> {
         let open = (0..self.possible.len()).filter(|&state| !self.possible[state].is_power_of_two());
         let said = |state: usize| self.problem.apart[state].len() + self.problem.from[state].len();
-        open.min_by_key(|&state| (self.possible[state].count_ones(), std::cmp::Reverse(said(state))))
-            .map(|state| state as u32)
+        open.min_by_key(|&state| {
+            (self.possible[state].count_ones(), Reverse(self.conflicts[state]), Reverse(said(state)))
+        })
+        .map(|state| state as u32)
     }
 
     /// Leaves only some codes; `false` if none is left.
@@ -142,6 +149,7 @@ impl Search<'_> {
                 self.open.push(state);
             }
         }
+        self.conflicts[state as usize] += u32::from(after == 0);
         after != 0
     }
 
