@@ -33,32 +33,33 @@ fn notice(plant: &Plant, closed: &ClosedLoop, from: u32, (event, to): (EventId, 
 /// Whether an observer always knows what is enabled, by the subset construction.
 #[must_use]
 pub fn can_be_followed(plant: &Plant, closed: &ClosedLoop) -> bool {
-    let unnoticed = |mut known: BTreeSet<u32>| loop {
-        let more: BTreeSet<u32> = known
-            .iter()
-            .flat_map(|&entry| closed.edges(entry as usize).iter().map(move |&edge| (entry, edge)))
-            .filter(|&(entry, edge)| notice(plant, closed, entry, edge).is_none())
-            .map(|(_, (_, to))| to)
-            .collect();
-        if more.is_subset(&known) {
-            return known;
+    let (mut noticed, mut unnoticed) = (vec![Vec::new(); closed.len()], vec![Vec::new(); closed.len()]);
+    for entry in 0..closed.len() {
+        for &edge in closed.edges(entry) {
+            match notice(plant, closed, entry as u32, edge) {
+                Some(it) => noticed[entry].push((it, edge.1)),
+                None => unnoticed[entry].push(edge.1),
+            }
         }
-        known.extend(more);
+    }
+    let enabled: Vec<Vec<EventId>> = (0..closed.len() as u32).map(|entry| enabled(plant, closed, entry)).collect();
+    let unnoticed = |mut known: BTreeSet<u32>| {
+        let mut open: Vec<u32> = known.iter().copied().collect();
+        while let Some(entry) = open.pop() {
+            open.extend(unnoticed[entry as usize].iter().filter(|&&to| known.insert(to)));
+        }
+        known
     };
     let mut open = vec![unnoticed(BTreeSet::from([closed.initial]))];
     let mut reached: BTreeSet<BTreeSet<u32>> = open.iter().cloned().collect();
     while let Some(known) = open.pop() {
-        let all: BTreeSet<Vec<EventId>> = known.iter().map(|&entry| enabled(plant, closed, entry)).collect();
+        let all: BTreeSet<&Vec<EventId>> = known.iter().map(|&entry| &enabled[entry as usize]).collect();
         if all.len() > 1 {
             return false;
         }
-        let mut next: BTreeMap<Notice, BTreeSet<u32>> = BTreeMap::new();
-        for &entry in &known {
-            for &edge in closed.edges(entry as usize) {
-                if let Some(noticed) = notice(plant, closed, entry, edge) {
-                    next.entry(noticed).or_default().insert(edge.1);
-                }
-            }
+        let mut next: BTreeMap<&Notice, BTreeSet<u32>> = BTreeMap::new();
+        for (notice, to) in known.iter().flat_map(|&entry| &noticed[entry as usize]) {
+            next.entry(notice).or_default().insert(*to);
         }
         for known in next.into_values().map(unnoticed) {
             if reached.insert(known.clone()) {

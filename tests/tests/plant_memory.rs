@@ -185,21 +185,21 @@ fn look_alikes(seed: u64) -> Plant {
 /// between two scans, there are no fewer.
 #[test]
 fn random_plants() {
-    let [with_bits, _, unseen, fewest] = try_all(random_plant::plant);
+    let [with_bits, _, unseen, fewest] = try_all(1_000, random_plant::plant);
     assert!(with_bits > 50 && unseen > 5 && fewest > 20);
 }
 
 #[test]
 fn plants_with_events_that_look_alike() {
-    let [with_bits, together, unseen, _] = try_all(look_alikes);
-    assert!(with_bits > 50 && together > 5 && unseen > 50);
+    let [with_bits, together, unseen, _] = try_all(250, look_alikes);
+    assert!(with_bits > 10 && together > 1 && unseen > 50);
 }
 
 /// How many plants get bits, bits of several automata together, none since they cannot be followed, and a number of bits that was
 /// compared.
 #[track_caller]
-fn try_all(plant: impl Fn(u64) -> Plant) -> [u32; 4] {
-    let seeds = std::env::var("SML_SEEDS").ok().and_then(|n| n.parse().ok()).unwrap_or(1_000);
+fn try_all(seeds: u64, plant: impl Fn(u64) -> Plant) -> [u32; 4] {
+    let seeds = std::env::var("SML_SEEDS").ok().and_then(|n| n.parse().ok()).unwrap_or(seeds);
     let (mut with_bits, mut together, mut unseen, mut fewest) = (0, 0, 0, 0);
     for seed in 0..seeds {
         let plant = plant(seed);

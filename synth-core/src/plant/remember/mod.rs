@@ -15,8 +15,9 @@
 //! remembered of one can be seen by the other only, automata are remembered together.
 //!
 //! Per automaton or group: `local` projects the closed loop to the automata and the components around them, `machine` is what a
-//! controller can know of that, `refine` unites what means the same, `conclude` says what is concluded from what, `search` gives
-//! the codes with the fewest bits, and `fit` some with few where there is too much to search. Automata come one after
+//! controller can know of that, `refine` unites what means the same, `merge` what need not be told apart, `conclude` says what is
+//! concluded from what, `search` gives the codes with the fewest bits, `fit` some with few where there is too much to search, and
+//! `tidy` has fewer of them change. Automata come one after
 //! the other, and what the feedback depends on besides is the *context*: the states of components, bits that were given
 //! already, and the states of automata that are still to come. So at the end states of components and bits say what is enabled.
 
@@ -24,9 +25,11 @@ mod conclude;
 mod fit;
 mod local;
 mod machine;
+mod merge;
 mod needed;
 mod refine;
 mod search;
+mod tidy;
 
 use super::{AutomatonId, ClosedLoop, EventId, Plant};
 use crate::diagnostic::{Code, Diagnostic};
@@ -256,12 +259,8 @@ impl Memory<'_> {
         context: &[u32],
     ) {
         let machine = machine.quotient(&refine::coarsest(machine, meanings));
-        let conclusions = conclude::conclusions(&machine);
+        let (machine, conclusions, codes) = self.codes(machine, context);
         let initial = machine.of_entry[self.closed.initial as usize];
-        let searched = (machine.len() <= search::STATES)
-            .then(|| apart(&machine, context, &self.enabled))
-            .and_then(|apart| search::search(machine.len(), initial, &conclusions.all, &apart));
-        let codes = searched.unwrap_or_else(|| fit::fit(&machine, initial, &conclusions.all));
         let (seen, caused) = changes(local, &conclusions, &codes);
         self.done.push(Remembered {
             automata: automata.to_vec(),
@@ -273,6 +272,39 @@ impl Memory<'_> {
             seen,
             caused,
         });
+    }
+}
+
+/// A machine, what is concluded in it, and codes of its states.
+type Coded = (Machine, Conclusions, Codes);
+
+impl Memory<'_> {
+    /// Codes for a machine, with its states as classes of the machine that is returned.
+    fn codes(&self, machine: Machine, context: &[u32]) -> Coded {
+        let initial = |machine: &Machine| machine.of_entry[self.closed.initial as usize];
+        if machine.len() > search::STATES {
+            let conclusions = conclude::conclusions(&machine);
+            let codes = fit::fit(&machine, initial(&machine), &conclusions.all);
+            return (machine, conclusions, codes);
+        }
+        let search = |machine: &Machine, below: u32| {
+            let conclusions = conclude::conclusions(machine);
+            let apart = apart(machine, context, &self.enabled);
+            let found = search::search(machine.len(), initial(machine), &conclusions.all, &apart, below);
+            (conclusions, found)
+        };
+        let merged = machine.quotient(&merge::merge(&machine, &apart(&machine, context, &self.enabled)));
+        let (conclusions, found) = search(&merged, u32::MAX);
+        let mut codes =
+            found.codes.unwrap_or_else(|| fit::fit(&merged, initial(&merged), &conclusions.all));
+        let (other_conclusions, fewer) = search(&machine, codes.bits);
+        if let Some(mut codes) = fewer.codes {
+            tidy::tidy(&machine, initial(&machine), &other_conclusions.all, &mut codes);
+            return (machine, other_conclusions, codes);
+        }
+        codes.fewest = fewer.fewest;
+        tidy::tidy(&merged, initial(&merged), &conclusions.all, &mut codes);
+        (merged, conclusions, codes)
     }
 }
 

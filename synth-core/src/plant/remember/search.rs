@@ -21,23 +21,32 @@ pub(super) struct Codes {
     pub(super) fewest: bool,
 }
 
-/// Codes with the fewest bits; the state `initial` has code 0.
+/// What a search found.
+pub(super) struct Found {
+    /// Codes, if there are any.
+    pub(super) codes: Option<Codes>,
+    /// Whether it is certain that no fewer bits than these, or than were allowed, do.
+    pub(super) fewest: bool,
+}
+
+/// Codes with the fewest bits, fewer than `below`; the state `initial` has code 0.
 ///
 /// `apart` are pairs of states that need different codes, each pair in both orders, ascending. By numbers of bits, the least
 /// first: a backtracking search over sets of codes that are still possible, the state with the fewest first, until it
-/// succeeds or everything was tried. `None` if more than six bits would be needed, or no code was found within bounds.
+/// succeeds or everything was tried. No more than six bits are tried.
 pub(super) fn search(
     states: usize,
     initial: u32,
     conclusions: &[Conclusion],
     apart: &[(u32, u32)],
-) -> Option<Codes> {
-    if apart.is_empty() {
-        return Some(Codes { of: vec![0; states], bits: 0, fewest: true });
+    below: u32,
+) -> Found {
+    if below > 0 && apart.is_empty() {
+        return Found { codes: Some(Codes { of: vec![0; states], bits: 0, fewest: true }), fewest: true };
     }
     let problem = Problem::new(states, conclusions, apart);
     let mut fewest = true;
-    for bits in 1..=BITS {
+    for bits in 1..below.min(BITS + 1) {
         let all = u64::MAX >> (64 - (1u32 << bits));
         let mut search = Search {
             problem: &problem,
@@ -49,11 +58,11 @@ pub(super) fn search(
         };
         if search.narrow(initial, 1) && search.propagate() && search.run() {
             let of = search.possible.iter().map(|codes| codes.trailing_zeros()).collect();
-            return Some(Codes { of, bits, fewest });
+            return Found { codes: Some(Codes { of, bits, fewest }), fewest };
         }
         fewest &= search.steps <= STEPS;
     }
-    None
+    Found { codes: None, fewest: fewest && below <= BITS + 1 }
 }
 
 /// What codes have to fulfil.
@@ -105,8 +114,14 @@ impl Search<'_> {
         let used = self.used();
         let fresh = !used & used.wrapping_add(1);
         let mut codes = self.possible[state as usize] & (used | fresh);
+        // Those of most neighbours first: then fewer events change bits.
+        let around = self.around(state);
         while codes != 0 && self.steps <= STEPS {
-            let code = codes & codes.wrapping_neg();
+            let each = (0..u64::BITS).map(|code| 1 << code).filter(|code| codes & code != 0);
+            let liked = each.max_by_key(|&code| {
+                (around.iter().filter(|&&other| other == code).count(), Reverse(code))
+            });
+            let code = liked.unwrap_or(codes);
             codes ^= code;
             let before = self.trail.len();
             if self.narrow(state, code) && self.propagate() && self.run() {
@@ -121,6 +136,13 @@ impl Search<'_> {
         false
     }
 
+    /// The codes of states that lead to a state or that it leads to.
+    fn around(&self, state: u32) -> Vec<u64> {
+        let problem = self.problem;
+        let both = problem.from[state as usize].iter().chain(&problem.to[state as usize]);
+        both.filter_map(|&(_, other)| self.known(other)).collect()
+    }
+
     /// All codes up to the greatest that a state has.
     fn used(&self) -> u64 {
         let known = self.possible.iter().filter(|codes| codes.is_power_of_two());
@@ -133,7 +155,8 @@ impl Search<'_> {
         let open = (0..self.possible.len()).filter(|&state| !self.possible[state].is_power_of_two());
         let said = |state: usize| self.problem.apart[state].len() + self.problem.from[state].len();
         open.min_by_key(|&state| {
-            (self.possible[state].count_ones(), Reverse(self.conflicts[state]), Reverse(said(state)))
+            let around = self.around(state as u32).len();
+            (Reverse(self.conflicts[state]), self.possible[state].count_ones(), Reverse(around), Reverse(said(state)))
         })
         .map(|state| state as u32)
     }
