@@ -37,7 +37,7 @@ use crate::intern::Rows;
 use conclude::{Conclusions, Occasion};
 use local::Local;
 use machine::Machine;
-use search::Codes;
+use search::{Codes, Problem};
 use std::collections::BTreeSet;
 
 /// What the bits of a constraint automaton are, or of several together, and when they change.
@@ -287,25 +287,41 @@ impl Memory<'_> {
             let codes = fit::fit(&machine, initial(&machine), &conclusions.all);
             return (machine, conclusions, codes);
         }
-        let search = |machine: &Machine, below: u32| {
+        let apart = apart(&machine, context, &self.enabled);
+        let merged = machine.quotient(&merge::merge(&machine, &apart));
+        let problem = |machine: &Machine, apart: &[(u32, u32)]| {
             let conclusions = conclude::conclusions(machine);
-            let apart = apart(machine, context, &self.enabled);
-            let found = search::search(machine.len(), initial(machine), &conclusions.all, &apart, below);
-            (conclusions, found)
+            let problem = Problem::new(machine.len(), initial(machine), &conclusions.all, apart);
+            (conclusions, problem)
         };
-        let merged = machine.quotient(&merge::merge(&machine, &apart(&machine, context, &self.enabled)));
-        let (conclusions, found) = search(&merged, u32::MAX);
-        let mut codes =
-            found.codes.unwrap_or_else(|| fit::fit(&merged, initial(&merged), &conclusions.all));
-        let (other_conclusions, fewer) = search(&machine, codes.bits);
-        if let Some(mut codes) = fewer.codes {
-            tidy::tidy(&machine, initial(&machine), &other_conclusions.all, &mut codes);
+        let (conclusions, first) = problem(&merged, &self::apart(&merged, context, &self.enabled));
+        let codes = first.fewest(u32::MAX).codes;
+        let mut codes = codes.unwrap_or_else(|| fit::fit(&merged, initial(&merged), &conclusions.all));
+        let (other_conclusions, second) = problem(&machine, &apart);
+        let fewer = second.fewest(codes.bits);
+        if let Some(codes) = fewer.codes {
+            let codes = best(&machine, initial(&machine), &other_conclusions, &second, codes);
             return (machine, other_conclusions, codes);
         }
         codes.fewest = fewer.fewest;
-        tidy::tidy(&merged, initial(&merged), &conclusions.all, &mut codes);
+        let codes = best(&merged, initial(&merged), &conclusions, &first, codes);
         (merged, conclusions, codes)
     }
+}
+
+/// Of codes with so many bits some that change with few events.
+fn best(machine: &Machine, initial: u32, conclusions: &Conclusions, problem: &Problem, codes: Codes) -> Codes {
+    let (bits, fewest) = (codes.bits, codes.fewest);
+    if bits == 0 || bits > search::BITS {
+        return codes;
+    }
+    let variants = problem.variants(bits).map(|of| Codes { of, bits, fewest });
+    let tidied = std::iter::once(codes).chain(variants).map(|mut codes| {
+        let cost = tidy::tidy(machine, initial, &conclusions.all, &mut codes);
+        (cost, codes)
+    });
+    let least = tidied.min_by_key(|(cost, _)| *cost);
+    least.map_or(Codes { of: Vec::new(), bits, fewest }, |(_, codes)| codes)
 }
 
 /// Pairs of states, in both orders, in which something different is enabled in one context.

@@ -6,7 +6,7 @@ use std::cmp::Reverse;
 /// So many states are searched; with more there are too many ways.
 pub(super) const STATES: usize = 512;
 /// So many bits at most: a set of codes is a word.
-const BITS: u32 = 6;
+pub(super) const BITS: u32 = 6;
 /// Conclusions that are looked at before the search for so many bits gives up.
 const STEPS: u64 = 1_000_000;
 
@@ -29,44 +29,9 @@ pub(super) struct Found {
     pub(super) fewest: bool,
 }
 
-/// Codes with the fewest bits, fewer than `below`; the state `initial` has code 0.
-///
-/// `apart` are pairs of states that need different codes, each pair in both orders, ascending. By numbers of bits, the least
-/// first: a backtracking search over sets of codes that are still possible, the state with the fewest first, until it
-/// succeeds or everything was tried. No more than six bits are tried.
-pub(super) fn search(
-    states: usize,
-    initial: u32,
-    conclusions: &[Conclusion],
-    apart: &[(u32, u32)],
-    below: u32,
-) -> Found {
-    if below > 0 && apart.is_empty() {
-        return Found { codes: Some(Codes { of: vec![0; states], bits: 0, fewest: true }), fewest: true };
-    }
-    let problem = Problem::new(states, conclusions, apart);
-    let mut fewest = true;
-    for bits in 1..below.min(BITS + 1) {
-        let all = u64::MAX >> (64 - (1u32 << bits));
-        let mut search = Search {
-            problem: &problem,
-            possible: vec![all; states],
-            trail: Vec::new(),
-            open: Vec::new(),
-            conflicts: vec![0; states],
-            steps: 0,
-        };
-        if search.narrow(initial, 1) && search.propagate() && search.run() {
-            let of = search.possible.iter().map(|codes| codes.trailing_zeros()).collect();
-            return Found { codes: Some(Codes { of, bits, fewest }), fewest };
-        }
-        fewest &= search.steps <= STEPS;
-    }
-    Found { codes: None, fewest: fewest && below <= BITS + 1 }
-}
-
 /// What codes have to fulfil.
-struct Problem {
+pub(super) struct Problem {
+    initial: u32,
     /// Per state those that need other codes.
     apart: Vec<Vec<u32>>,
     /// Per state as a source its occasions and targets.
@@ -77,8 +42,37 @@ struct Problem {
     on: Vec<Vec<(u32, u32)>>,
 }
 
+/// In which order states and codes are tried.
+#[derive(Clone, Copy)]
+struct Order {
+    /// States with the fewest possible codes first.
+    by_codes: bool,
+    /// States with the most neighbours whose codes are known first.
+    by_neighbours: bool,
+    /// Codes of the most neighbours first, or else the least code.
+    near: bool,
+}
+
+/// Finds contradictions early.
+const TO_REFUTE: Order = Order { by_codes: true, by_neighbours: true, near: true };
+
+/// One or the other of these finds codes that change with few events.
+const TO_PLEASE: [Order; 5] = [
+    TO_REFUTE,
+    Order { by_codes: false, by_neighbours: false, near: false },
+    Order { by_codes: false, by_neighbours: false, near: true },
+    Order { by_codes: false, by_neighbours: true, near: false },
+    Order { by_codes: false, by_neighbours: true, near: true },
+];
+
 impl Problem {
-    fn new(states: usize, conclusions: &[Conclusion], pairs: &[(u32, u32)]) -> Problem {
+    /// The state `initial` has code 0. `pairs` are states that need different codes, each pair in both orders, ascending.
+    pub(super) fn new(
+        states: usize,
+        initial: u32,
+        conclusions: &[Conclusion],
+        pairs: &[(u32, u32)],
+    ) -> Problem {
         let mut apart = vec![Vec::new(); states];
         pairs.iter().for_each(|&(a, b)| apart[a as usize].push(b));
         let (mut from, mut to, mut on) = (vec![Vec::new(); states], vec![Vec::new(); states], Vec::new());
@@ -89,12 +83,55 @@ impl Problem {
             }
             on.push(group.iter().map(|it| (it.source, it.target)).collect());
         }
-        Problem { apart, from, to, on }
+        Problem { initial, apart, from, to, on }
+    }
+
+    /// Codes with the fewest bits, fewer than `below`.
+    ///
+    /// By numbers of bits, the least first: a backtracking search over sets of codes that are still possible, until it
+    /// succeeds or everything was tried. No more than six bits are tried.
+    pub(super) fn fewest(&self, below: u32) -> Found {
+        if below > 0 && self.apart.iter().all(Vec::is_empty) {
+            let codes = Codes { of: vec![0; self.apart.len()], bits: 0, fewest: true };
+            return Found { codes: Some(codes), fewest: true };
+        }
+        let mut fewest = true;
+        for bits in 1..below.min(BITS + 1) {
+            let (of, everything) = self.search(bits, TO_REFUTE, STEPS);
+            if let Some(of) = of {
+                return Found { codes: Some(Codes { of, bits, fewest }), fewest };
+            }
+            fewest &= everything;
+        }
+        Found { codes: None, fewest: fewest && below <= BITS + 1 }
+    }
+
+    /// Some codes with so many bits, as different orders find them.
+    pub(super) fn variants(&self, bits: u32) -> impl Iterator<Item = Vec<u32>> {
+        TO_PLEASE.into_iter().filter_map(move |order| self.search(bits, order, STEPS / 10).0)
+    }
+
+    /// Codes, if any were found, and whether everything was tried if need be.
+    fn search(&self, bits: u32, order: Order, steps: u64) -> (Option<Vec<u32>>, bool) {
+        let all = u64::MAX >> (64 - (1u32 << bits));
+        let mut search = Search {
+            problem: self,
+            order,
+            possible: vec![all; self.apart.len()],
+            trail: Vec::new(),
+            open: Vec::new(),
+            conflicts: vec![0; self.apart.len()],
+            steps,
+        };
+        let found = search.narrow(self.initial, 1) && search.propagate() && search.run();
+        let of = found.then(|| search.possible.iter().map(|codes| codes.trailing_zeros()).collect());
+        (of, search.steps > 0)
     }
 }
 
 struct Search<'a> {
     problem: &'a Problem,
+    order: Order,
     /// Per state the codes that it may have.
     possible: Vec<u64>,
     /// What was possible before, to go back.
@@ -103,6 +140,7 @@ struct Search<'a> {
     open: Vec<u32>,
     /// Per state how often no code was left for it.
     conflicts: Vec<u32>,
+    /// How many steps are left.
     steps: u64,
 }
 
@@ -114,13 +152,11 @@ impl Search<'_> {
         let used = self.used();
         let fresh = !used & used.wrapping_add(1);
         let mut codes = self.possible[state as usize] & (used | fresh);
-        // Those of most neighbours first: then fewer events change bits.
-        let around = self.around(state);
-        while codes != 0 && self.steps <= STEPS {
+        let around = if self.order.near { self.around(state) } else { Vec::new() };
+        while codes != 0 && self.steps > 0 {
             let each = (0..u64::BITS).map(|code| 1 << code).filter(|code| codes & code != 0);
-            let liked = each.max_by_key(|&code| {
-                (around.iter().filter(|&&other| other == code).count(), Reverse(code))
-            });
+            let near = |code: u64| around.iter().filter(|&&other| other == code).count();
+            let liked = each.max_by_key(|&code| (near(code), Reverse(code)));
             let code = liked.unwrap_or(codes);
             codes ^= code;
             let before = self.trail.len();
@@ -149,14 +185,13 @@ impl Search<'_> {
         known.fold(1, |used, code| used | code | (code - 1))
     }
 
-    /// The state with the fewest codes to choose from, then the one that was most often the reason to go back, then the one
-    /// about which most is said, then the first.
+    /// The state that was most often the reason to go back, then as the order says, then the first.
     fn next(&self) -> Option<u32> {
         let open = (0..self.possible.len()).filter(|&state| !self.possible[state].is_power_of_two());
-        let said = |state: usize| self.problem.apart[state].len() + self.problem.from[state].len();
         open.min_by_key(|&state| {
-            let around = self.around(state as u32).len();
-            (Reverse(self.conflicts[state]), self.possible[state].count_ones(), Reverse(around), Reverse(said(state)))
+            let codes = if self.order.by_codes { self.possible[state].count_ones() } else { 0 };
+            let around = if self.order.by_neighbours { self.around(state as u32).len() } else { 0 };
+            (Reverse(self.conflicts[state]), codes, Reverse(around))
         })
         .map(|state| state as u32)
     }
@@ -186,7 +221,7 @@ impl Search<'_> {
             let problem = self.problem;
             let index = state as usize;
             let code = self.possible[index];
-            self.steps += problem.apart[index].len() as u64 + 1;
+            self.steps = self.steps.saturating_sub(problem.apart[index].len() as u64 + 1);
             if !problem.apart[index].iter().all(|&other| self.narrow(other, !code)) {
                 return false;
             }
@@ -207,7 +242,7 @@ impl Search<'_> {
     /// The source of `target` on an occasion has a code: others with this code lead to the same code.
     fn as_source(&mut self, occasion: u32, code: u64, target: u32) -> bool {
         let others = &self.problem.on[occasion as usize];
-        self.steps += others.len() as u64;
+        self.steps = self.steps.saturating_sub(others.len() as u64);
         others.iter().all(|&(other, to)| {
             let common = self.possible[target as usize] & self.possible[to as usize];
             if self.known(other) == Some(code) {
@@ -221,7 +256,7 @@ impl Search<'_> {
     /// The target of `source` on an occasion has a code: sources of others must have another code than `source`.
     fn as_target(&mut self, occasion: u32, source: u32, code: u64) -> bool {
         let others = &self.problem.on[occasion as usize];
-        self.steps += others.len() as u64;
+        self.steps = self.steps.saturating_sub(others.len() as u64);
         others.iter().all(|&(other, to)| match (self.known(source), self.known(other)) {
             (Some(own), Some(its)) if own == its => self.narrow(to, code),
             _ if self.possible[to as usize] & code != 0 => true,

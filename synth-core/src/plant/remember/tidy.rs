@@ -7,23 +7,21 @@ use super::search::Codes;
 /// Conclusions that are looked at before codes stay as they are.
 const STEPS: usize = 2_000_000;
 
-/// Exchanges two codes in one sight, or everywhere, while that makes fewer bits change; the state `initial` keeps code 0.
-pub(super) fn tidy(machine: &Machine, initial: u32, conclusions: &[Conclusion], codes: &mut Codes) {
-    let Some(mut least) = cost(conclusions, codes) else { return };
+/// Exchanges two codes in one sight, or everywhere, while that makes fewer bits change; the state `initial` gets code 0. Returns
+/// how many bits change, on all occasions.
+pub(super) fn tidy(machine: &Machine, initial: u32, conclusions: &[Conclusion], codes: &mut Codes) -> u32 {
+    let Some(mut least) = cost(conclusions, codes) else { return u32::MAX };
     let sights = machine.sight.iter().max().map_or(0, |most| most + 1);
     let mut states_of = vec![Vec::new(); sights as usize];
     machine.sight.iter().zip(0..).for_each(|(&sight, state): (&u32, u32)| states_of[sight as usize].push(state));
     states_of.push((0..machine.len() as u32).collect());
     let mut steps = 0;
-    loop {
+    while steps <= STEPS {
         let before = least;
         for states in &states_of {
             for a in 0..1u32 << codes.bits {
                 for b in a + 1..1 << codes.bits {
-                    if steps > STEPS {
-                        return;
-                    }
-                    if !exchange(states, a, b, codes) {
+                    if steps > STEPS || !exchange(states, a, b, codes) {
                         continue;
                     }
                     steps += conclusions.len();
@@ -42,6 +40,7 @@ pub(super) fn tidy(machine: &Machine, initial: u32, conclusions: &[Conclusion], 
     }
     let first = codes.of[initial as usize];
     codes.of.iter_mut().for_each(|code| *code ^= first);
+    least
 }
 
 /// Whether there was anything to do.
