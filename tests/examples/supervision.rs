@@ -18,7 +18,10 @@ fn main() {
     for count in [4, 6, 8, 10, 12] {
         report(&format!("{count} philosophers"), &philosophers(count));
     }
-    println!("\n{:24} {:>9} {:>10} {:>9} {:>10} {:>8}", "memory", "entries", "edges", "bits", "ms", "ns/edge");
+    println!(
+        "\n{:24} {:>9} {:>10} {:>9} {:>10} {:>8}",
+        "memory", "entries", "edges", "bits", "ms", "ns/edge"
+    );
     for machines in 4..=9 {
         report_memory(&format!("line of {machines}"), &transfer_line(machines));
     }

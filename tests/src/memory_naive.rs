@@ -42,7 +42,8 @@ pub fn can_be_followed(plant: &Plant, closed: &ClosedLoop) -> bool {
             }
         }
     }
-    let enabled: Vec<Vec<EventId>> = (0..closed.len() as u32).map(|entry| enabled(plant, closed, entry)).collect();
+    let enabled: Vec<Vec<EventId>> =
+        (0..closed.len() as u32).map(|entry| enabled(plant, closed, entry)).collect();
     let unnoticed = |mut known: BTreeSet<u32>| {
         let mut open: Vec<u32> = known.iter().copied().collect();
         while let Some(entry) = open.pop() {
@@ -132,7 +133,6 @@ pub fn waits(plant: &Plant, closed: &ClosedLoop) -> bool {
     let own = |entry: u32| {
         closed.edges(entry as usize).iter().filter(|(event, _)| !plant.events[*event as usize].controllable)
     };
-    (0..closed.len() as u32).all(|entry| {
-        own(entry).all(|&edge| edge.1 == entry || own(edge.1).all(|&(_, to)| to == edge.1))
-    })
+    (0..closed.len() as u32)
+        .all(|entry| own(entry).all(|&edge| edge.1 == entry || own(edge.1).all(|&(_, to)| to == edge.1)))
 }

@@ -52,7 +52,8 @@ fn workshop(machines: u32, states: u32, mut next: impl FnMut(u32, EventId) -> Op
     for what in ["start", "done"] {
         for i in 0..machines {
             let name = format!("{what}{i}");
-            builder = if what == "start" { builder.controllable(&name) } else { builder.uncontrollable(&name) };
+            builder =
+                if what == "start" { builder.controllable(&name) } else { builder.uncontrollable(&name) };
         }
     }
     for i in 0..machines {

@@ -146,7 +146,10 @@ fn look_alikes(seed: u64) -> Plant {
         .controllable("go x y")
         .uncontrollable("u v")
         .component("M", "I go W, W u I, W v I")
-        .component("Levers", ["S x S, S y S", "S x T, T y S", "S x T, T x S, S y S, T y T"][random.below(3) as usize]);
+        .component(
+            "Levers",
+            ["S x S, S y S", "S x T, T y S", "S x T, T x S, S y S, T y T"][random.below(3) as usize],
+        );
     let automata = 2 + random.below(2);
     let states = 2 + random.below(2);
     let total = random.below(4) > 0;

@@ -310,18 +310,26 @@ impl Memory<'_> {
 }
 
 /// Of codes with so many bits some that change with few events.
-fn best(machine: &Machine, initial: u32, conclusions: &Conclusions, problem: &Problem, codes: Codes) -> Codes {
-    let (bits, fewest) = (codes.bits, codes.fewest);
-    if bits == 0 || bits > search::BITS {
-        return codes;
+fn best(
+    machine: &Machine,
+    initial: u32,
+    conclusions: &Conclusions,
+    problem: &Problem,
+    codes: Codes,
+) -> Codes {
+    let mut best = codes;
+    if best.bits == 0 || best.bits > search::BITS {
+        return best;
     }
-    let variants = problem.variants(bits).map(|of| Codes { of, bits, fewest });
-    let tidied = std::iter::once(codes).chain(variants).map(|mut codes| {
-        let cost = tidy::tidy(machine, initial, &conclusions.all, &mut codes);
-        (cost, codes)
-    });
-    let least = tidied.min_by_key(|(cost, _)| *cost);
-    least.map_or(Codes { of: Vec::new(), bits, fewest }, |(_, codes)| codes)
+    let mut least = tidy::tidy(machine, initial, &conclusions.all, &mut best);
+    for of in problem.variants(best.bits) {
+        let mut other = Codes { of, ..best };
+        let cost = tidy::tidy(machine, initial, &conclusions.all, &mut other);
+        if cost < least {
+            (least, best) = (cost, other);
+        }
+    }
+    best
 }
 
 /// Pairs of states, in both orders, in which something different is enabled in one context.

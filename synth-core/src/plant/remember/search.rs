@@ -51,19 +51,23 @@ struct Order {
     by_neighbours: bool,
     /// Codes of the most neighbours first, or else the least code.
     near: bool,
+    /// Of states that are equal in this, the one with the least product of its number and this, modulo the number of states.
+    stride: u32,
 }
 
 /// Finds contradictions early.
-const TO_REFUTE: Order = Order { by_codes: true, by_neighbours: true, near: true };
+const TO_REFUTE: Order = Order { by_codes: true, by_neighbours: true, near: true, stride: 1 };
 
 /// One or the other of these finds codes that change with few events.
-const TO_PLEASE: [Order; 5] = [
-    TO_REFUTE,
-    Order { by_codes: false, by_neighbours: false, near: false },
-    Order { by_codes: false, by_neighbours: false, near: true },
-    Order { by_codes: false, by_neighbours: true, near: false },
-    Order { by_codes: false, by_neighbours: true, near: true },
-];
+fn to_please() -> impl Iterator<Item = Order> {
+    let flags = |number: u32, bit: u32| number >> bit & 1 == 1;
+    (0..32).map(move |number| Order {
+        by_codes: false,
+        by_neighbours: flags(number, 0),
+        near: flags(number, 1),
+        stride: 2 * (number >> 2) + 1,
+    })
+}
 
 impl Problem {
     /// The state `initial` has code 0. `pairs` are states that need different codes, each pair in both orders, ascending.
@@ -108,7 +112,7 @@ impl Problem {
 
     /// Some codes with so many bits, as different orders find them.
     pub(super) fn variants(&self, bits: u32) -> impl Iterator<Item = Vec<u32>> {
-        TO_PLEASE.into_iter().filter_map(move |order| self.search(bits, order, STEPS / 10).0)
+        to_please().filter_map(move |order| self.search(bits, order, STEPS / 10).0)
     }
 
     /// Codes, if any were found, and whether everything was tried if need be.
@@ -191,7 +195,8 @@ impl Search<'_> {
         open.min_by_key(|&state| {
             let codes = if self.order.by_codes { self.possible[state].count_ones() } else { 0 };
             let around = if self.order.by_neighbours { self.around(state as u32).len() } else { 0 };
-            (Reverse(self.conflicts[state]), codes, Reverse(around))
+            let place = state * self.order.stride as usize % self.possible.len();
+            (Reverse(self.conflicts[state]), codes, Reverse(around), place)
         })
         .map(|state| state as u32)
     }
