@@ -68,7 +68,7 @@ fn chute() {
 /// A vessel under two constraint automata, which relays and sensors do not show.
 #[test]
 fn mixer() {
-    check("mixer", (0, 0), (0, 0));
+    check("mixer", (1152, 4160), (144, 252));
 }
 
 #[test]
