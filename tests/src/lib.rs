@@ -5,6 +5,7 @@ pub mod beside;
 pub mod corpus;
 pub mod fast;
 pub mod line;
+pub mod memory_naive;
 pub mod naive;
 pub mod plant_builder;
 pub mod plant_families;

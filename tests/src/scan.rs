@@ -3,7 +3,7 @@
 mod station;
 
 use crate::tables::Random;
-pub use station::{plant, station};
+pub use station::{plant, station, with_memory};
 use synth_core::controller::tables::Provenance;
 use synth_core::emit::scan::Source;
 use synth_core::logic::{Expr, Literal, Var};

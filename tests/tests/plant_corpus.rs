@@ -65,9 +65,15 @@ fn chute() {
     check("chute", (16, 32), (44, 80));
 }
 
+/// A vessel under two constraint automata, which relays and sensors do not show.
+#[test]
+fn mixer() {
+    check("mixer", (1152, 4160), (144, 252));
+}
+
 #[test]
 fn those_with_formulas_are_readable() {
-    for name in ["distribution_station", "tank", "chute"] {
+    for name in ["distribution_station", "tank", "chute", "mixer"] {
         assert_eq!(unreadable(&plant(name)), [], "{name}");
     }
 }

@@ -2,10 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use sml_tests::memory_naive;
 use sml_tests::plant_builder::PlantBuilder;
 use sml_tests::random_plant;
+use sml_tests::tables::Random;
 use synth_core::explore::Limits;
-use synth_core::plant::remember::{Indistinguishable, Remembered, remember};
+use synth_core::plant::remember::{Remembered, remember};
 use synth_core::plant::{ClosedLoop, EventId, Plant, supervise};
 
 /// Bits after an event, the way a controller changes them: by itself, or by what it sees next.
@@ -59,7 +61,7 @@ fn bits(plant: &Plant) -> Vec<(String, u32)> {
     let closed = supervise(plant, &Limits::default()).expect("there is a feedback");
     let all = remember(plant, &closed).expect("it can be followed");
     check(plant, &closed, &all);
-    all.iter().map(|bits| (plant.automata[bits.automaton as usize].name.clone(), bits.bits)).collect()
+    all.iter().map(|bits| (bits.name(plant), bits.bits)).collect()
 }
 
 fn named(all: &[(&str, u32)]) -> Vec<(String, u32)> {
@@ -117,24 +119,118 @@ fn what_cannot_be_seen_is_refused() {
     let closed = supervise(&plant, &Limits::default());
     let Ok(closed) = closed else { panic!("there is a feedback") };
     let error = remember(&plant, &closed).expect_err("nobody can know");
-    assert_eq!(error, Indistinguishable { automaton: 1, events: [1, 2] });
+    assert_eq!((error.automaton, error.events), (1, [1, 2]));
+}
+
+/// What happens by itself cannot be told apart, and changes both automata or none: each alone cannot be followed, but whether
+/// they agree can.
+#[test]
+fn what_two_automata_say_together() {
+    let flip = |event: &str| format!("A done A, A broken B, A {event} B, B done B, B broken A, B {event} A");
+    let plant = PlantBuilder::new()
+        .controllable("go left right")
+        .uncontrollable("done broken")
+        .component("M", "Idle go Busy, Busy done Idle, Busy broken Idle")
+        .component("Levers", "Any left Any, Any right Any")
+        .constraint("L", &flip("left"))
+        .constraint("R", &flip("right"))
+        .only("go", "L.A && R.A || L.B && R.B")
+        .build();
+    assert_eq!(bits(&plant), named(&[("L_R", 1)]));
+}
+
+/// A machine that ends in one of two ways that look the same, and automata that say after which commands it may start.
+fn look_alikes(seed: u64) -> Plant {
+    let random = &mut Random::new(seed);
+    let mut builder = PlantBuilder::new()
+        .controllable("go x y")
+        .uncontrollable("u v")
+        .component("M", "I go W, W u I, W v I")
+        .component(
+            "Levers",
+            ["S x S, S y S", "S x T, T y S", "S x T, T x S, S y S, T y T"][random.below(3) as usize],
+        );
+    let automata = 2 + random.below(2);
+    let states = 2 + random.below(2);
+    let total = random.below(4) > 0;
+    // Most automata tell the two ends of the machine apart.
+    for automaton in 0..automata {
+        let mut edges = Vec::new();
+        let shift = u32::from(random.below(4) > 0);
+        for state in 0..states {
+            for event in ["u", "v", "x", "y", "go"] {
+                let target = match event {
+                    "u" => state,
+                    "v" => (state + shift) % states,
+                    _ if !total && random.below(2) == 0 => continue,
+                    "go" => state,
+                    _ => random.below(states),
+                };
+                edges.push(format!("s{state} {event} s{target}"));
+            }
+        }
+        builder = builder.constraint(&format!("N{automaton}"), &edges.join(", "));
+    }
+    // Mostly it matters whether two of them agree.
+    let (a, b) = (random.below(automata), random.below(automata));
+    let agree = random.below(4) > 0;
+    let terms: Vec<String> = (0..states)
+        .map(|state| {
+            let other = if agree { state } else { random.below(states) };
+            format!("N{a}.s{state} && N{b}.s{other}")
+        })
+        .collect();
+    let event = ["go", "x"][random.below(2) as usize];
+    builder.only(event, &terms.join(" || ")).build()
+}
+
+/// Refused is exactly what no observer can follow; and where bits of one automaton are all, and single events all that happens
+/// between two scans, there are no fewer.
+#[test]
+fn random_plants() {
+    let [with_bits, _, unseen, fewest] = try_all(1_000, random_plant::plant);
+    assert!(with_bits > 50 && unseen > 5 && fewest > 20);
 }
 
 #[test]
-fn random_plants() {
-    let seeds = std::env::var("SML_SEEDS").ok().and_then(|n| n.parse().ok()).unwrap_or(1_000);
-    let (mut with_bits, mut unseen) = (0, 0);
+fn plants_with_events_that_look_alike() {
+    let [with_bits, together, unseen, _] = try_all(250, look_alikes);
+    assert!(with_bits > 10 && together > 1 && unseen > 50);
+}
+
+/// How many plants get bits, bits of several automata together, none since they cannot be followed, and a number of bits that was
+/// compared.
+#[track_caller]
+fn try_all(seeds: u64, plant: impl Fn(u64) -> Plant) -> [u32; 4] {
+    let seeds = std::env::var("SML_SEEDS").ok().and_then(|n| n.parse().ok()).unwrap_or(seeds);
+    let (mut with_bits, mut together, mut unseen, mut fewest) = (0, 0, 0, 0);
     for seed in 0..seeds {
-        let plant = random_plant::plant(seed);
+        let plant = plant(seed);
         let Ok(closed) = supervise(&plant, &Limits::default()) else { continue };
+        let known = memory_naive::can_be_followed(&plant, &closed);
         match remember(&plant, &closed) {
             Ok(all) => {
+                assert!(known, "seed {seed}");
                 check(&plant, &closed, &all);
-                with_bits += usize::from(!all.is_empty());
+                with_bits += u32::from(!all.is_empty());
+                together += u32::from(all.iter().any(|bits| bits.automata.len() > 1));
+                let bits = all.iter().map(|it| it.bits).sum::<u32>();
+                if closed.len() <= 12 && memory_naive::waits(&plant, &closed) {
+                    assert_eq!(memory_naive::bits_do(&plant, &closed, 0), bits == 0, "seed {seed}");
+                    let [one] = all.as_slice() else { continue };
+                    assert!(one.fewest, "seed {seed}");
+                    if one.components.len() == plant.components {
+                        assert!(!memory_naive::bits_do(&plant, &closed, bits - 1), "seed {seed}");
+                        fewest += 1;
+                    }
+                }
             }
-            Err(_) => unseen += 1,
+            Err(_) => {
+                assert!(!known, "seed {seed}");
+                unseen += 1;
+            }
         }
     }
-    println!("{with_bits} plants with bits, {unseen} that cannot be followed");
-    assert!(with_bits > 0 && unseen > 0);
+    println!("{with_bits} with bits, {together} together, {unseen} not followed, {fewest} compared");
+    [with_bits, together, unseen, fewest]
 }

@@ -22,7 +22,7 @@ use synth_core::emit::{rust, scan::NameMap};
 use synth_core::explore::Limits;
 use synth_core::plant::{Use, supervise};
 
-/// Programs of all sizes.
+/// Programs of all sizes, and those of plants that need memory.
 fn plans() -> Vec<Plan> {
     let sizes = [
         ([3, 2, 0, 0, 0], 3, 2),
@@ -38,7 +38,8 @@ fn plans() -> Vec<Plan> {
     let plan = |(number, (variables, rungs, depth)): (u64, ([u32; 5], u32, u32))| {
         scan::random(&format!("Plant{number}"), Size { variables, rungs, depth }, number)
     };
-    (0..).zip(sizes.into_iter().cycle().take(2 * sizes.len())).map(plan).collect()
+    let random = (0..).zip(sizes.into_iter().cycle().take(2 * sizes.len())).map(plan);
+    random.chain(scan::with_memory()).collect()
 }
 
 /// Whether kept variables and, if asked for, events are as they should be after every scan.

@@ -11,7 +11,7 @@ mod fixtures;
 pub mod json;
 pub mod minimize;
 pub mod number;
-mod partition;
+pub(crate) mod partition;
 pub mod runs;
 pub mod stimulus;
 pub mod super_steps;

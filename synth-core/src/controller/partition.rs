@@ -8,7 +8,7 @@
 ///
 /// What is looked up together lies together: with random rows nearly all time goes into cache misses.
 #[derive(Debug)]
-pub(super) struct Partition {
+pub(crate) struct Partition {
     /// All elements, set by set.
     order: Vec<u32>,
     /// Per element.
@@ -36,7 +36,7 @@ struct Set {
 
 impl Partition {
     /// The partition into the `sets` (numbered without gaps) that `set` says for each element.
-    pub(super) fn new(set: &[u32], sets: u32) -> Self {
+    pub(crate) fn new(set: &[u32], sets: u32) -> Self {
         let (bounds, order) = bucket(set, sets);
         let mut elements: Vec<Element> = set.iter().map(|&set| Element { place: 0, set }).collect();
         for (i, &element) in order.iter().enumerate() {
@@ -48,23 +48,23 @@ impl Partition {
     }
 
     /// Number of sets.
-    pub(super) fn sets(&self) -> u32 {
+    pub(crate) fn sets(&self) -> u32 {
         self.sets.len() as u32
     }
 
     /// The elements of a set.
-    pub(super) fn elements(&self, set: u32) -> &[u32] {
+    pub(crate) fn elements(&self, set: u32) -> &[u32] {
         let Set { begin, end, .. } = self.sets[set as usize];
         &self.order[begin as usize..end as usize]
     }
 
     /// Per element: its set.
-    pub(super) fn into_sets(self) -> Vec<u32> {
+    pub(crate) fn into_sets(self) -> Vec<u32> {
         self.elements.into_iter().map(|element| element.set).collect()
     }
 
     /// Marks an element; a second mark changes nothing.
-    pub(super) fn mark(&mut self, element: u32) {
+    pub(crate) fn mark(&mut self, element: u32) {
         let Element { place: from, set: id } = self.elements[element as usize];
         let set = &mut self.sets[id as usize];
         let to = set.unmarked;
@@ -85,7 +85,7 @@ impl Partition {
 
     /// Splits every set with marked and unmarked elements, and takes all marks away. The smaller part becomes a new
     /// set, with the next free number: what makes the whole refinement `O(m log n)`.
-    pub(super) fn split(&mut self) {
+    pub(crate) fn split(&mut self) {
         while let Some(id) = self.touched.pop() {
             let new = self.sets();
             let set = &mut self.sets[id as usize];
@@ -111,7 +111,7 @@ impl Partition {
 
 /// Sorts the indices of `keys` by key, equal keys in order of index: the bounds of the `buckets` in the second array
 /// (one more than there are), and the indices.
-pub(super) fn bucket(keys: &[u32], buckets: u32) -> (Vec<u32>, Vec<u32>) {
+pub(crate) fn bucket(keys: &[u32], buckets: u32) -> (Vec<u32>, Vec<u32>) {
     let mut bounds = vec![0; buckets as usize + 1];
     for &key in keys {
         bounds[key as usize + 1] += 1;

@@ -50,7 +50,7 @@ pub fn control(
     }
     let closed = feedback(plant, limits, timings)?;
     let memory = timings.stage("memory", || remember(plant, &closed));
-    let memory = memory.map_err(|unseen| Failure::Wrong(vec![unseen.diagnostic(plant)]))?;
+    let memory = memory.map_err(|unseen| Failure::Wrong(vec![unseen.diagnostic(plant, &closed)]))?;
     let feedback = timings.stage("formulas", || state_feedback(plant, &closed, &memory, options));
     let feedback = feedback.map_err(|error| of_formulas(&error, plant, &closed))?;
     Ok(Supervised { closed, memory, feedback })

@@ -14,10 +14,8 @@ mod share;
 
 use super::formulas::{Bounds, DontCare, Formula, FormulaError};
 use super::remember::Remembered;
-use super::{
-    ClosedLoop, Coil, Command, Drive, EventId, Plant, Program, Rung, SignalId, SignalKind, Use, Variable,
-};
-use crate::logic::{Expr, TooLarge, Var};
+use super::{ClosedLoop, Coil, Command, Drive, EventId, Plant, Program, Rung, SignalKind, Use, Variable};
+use crate::logic::{Expr, Function, TooLarge, Var};
 
 /// What program is made.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -197,43 +195,54 @@ fn unique(variables: &[Variable], name: &str) -> String {
 fn variables(bounds: &mut Bounds<'_>) -> Result<Vec<Variable>, TooLarge> {
     let plant = bounds.plant;
     let mut variables: Vec<Variable> = Vec::with_capacity(plant.signals.len());
-    for (signal, id) in plant.signals.iter().zip(0..) {
+    let at_first = values_at_first(bounds)?;
+    for (signal, at_first) in plant.signals.iter().zip(at_first) {
         let usage = match signal.kind {
             SignalKind::Input => Use::Input,
             SignalKind::Output => Use::Output,
-            SignalKind::Memory => Use::Memory(holds_at_first(bounds, id)?),
+            SignalKind::Memory => Use::Memory(at_first),
             SignalKind::Range { analogue, low, high } => Use::Range(analogue, low, high),
         };
         variables.push(Variable { name: signal.name.clone(), usage, doc: signal.doc.clone() });
     }
     for remembered in bounds.memory {
-        let automaton = &plant.automata[remembered.automaton as usize];
+        let automata = remembered.name(plant);
         for bit in 0..remembered.bits {
             let name = match remembered.bits {
-                1 => automaton.name.clone(),
-                _ => format!("{}_{bit}", automaton.name),
+                1 => automata.clone(),
+                _ => format!("{automata}_{bit}"),
             };
             variables.push(Variable {
                 name: unique(&variables, &name),
                 usage: Use::Memory(remembered.initial >> bit & 1 == 1),
-                doc: vec![format!("What `{}` has to remember", automaton.name)],
+                doc: remembered.doc(plant),
             });
         }
     }
     Ok(variables)
 }
 
-/// Whether the formulas of the initial states can hold only with `signal`: the value that a relay of the plant has at first.
-fn holds_at_first(bounds: &mut Bounds<'_>, signal: SignalId) -> Result<bool, TooLarge> {
-    let literal = bounds.bdd.variable(bounds.position[signal as usize])?;
+/// Per signal its value at the start, as far as the controller chooses: memory bits are such that the initial states can be
+/// read, with outputs off if possible; of several ways the one with fewer bits on, the first in the file mattering most.
+fn values_at_first(bounds: &mut Bounds<'_>) -> Result<Vec<bool>, TooLarge> {
+    let plant = bounds.plant;
     let initial = bounds.closed.entry(bounds.closed.initial as usize);
+    let mut possible = Function::TRUE;
     for (states, &state) in bounds.states.iter().zip(initial) {
-        let formula = states[state as usize];
-        if bounds.bdd.implies(formula, literal)? {
-            return Ok(true);
+        possible = bounds.bdd.and(possible, states[state as usize])?;
+    }
+    let mut values = vec![false; plant.signals.len()];
+    for wanted in [SignalKind::Output, SignalKind::Memory] {
+        for (signal, value) in
+            values.iter_mut().enumerate().filter(|(it, _)| plant.signals[*it].kind == wanted)
+        {
+            let on = bounds.bdd.variable(bounds.position[signal])?;
+            let off = bounds.bdd.without(possible, on)?;
+            *value = off == Function::FALSE;
+            possible = if *value { bounds.bdd.and(possible, on)? } else { off };
         }
     }
-    Ok(false)
+    Ok(values)
 }
 
 #[cfg(test)]

@@ -1,87 +1,90 @@
 //! Uniting what need not be told apart.
 
-use std::collections::BTreeSet;
+use super::machine::{Machine, numbered};
+use fixedbitset::FixedBitSet;
 
-use super::local::Local;
+/// Pairs of states that are looked at before what is left stays as it is.
+const STEPS: u64 = 2_000_000;
 
-/// Per node its class: nodes of one sight, none of which have to be told apart, whose successors by an event are in one class.
+/// Per state its class: states of one sight, none of which have to be told apart, whose successors by a label are in one class.
 ///
-/// Greedy, in order of the nodes: each pair is united, together with all that this entails, unless that would unite what must
-/// stay apart.
-pub(super) fn merge(local: &Local, apart: &BTreeSet<(u32, u32)>) -> Vec<u32> {
-    let nodes = local.len() as u32;
-    let mut sets = Sets { parent: (0..nodes).collect() };
-    for a in 0..nodes {
-        for b in a + 1..nodes {
-            if local.sight_of(a) == local.sight_of(b)
-                && sets.find(a) != sets.find(b)
-                && let Some(united) = sets.unite(local, apart, a, b)
-            {
-                sets = united;
+/// Greedy, in order of the states: each pair is united, together with all that this entails, unless that would unite what must
+/// stay apart. Fewer codes can be had without this now and then, but codes of such classes change with fewer events.
+pub(super) fn merge(machine: &Machine, apart: &[(u32, u32)]) -> Vec<u32> {
+    let states = machine.len();
+    let mut differ = vec![FixedBitSet::with_capacity(states); states];
+    apart.iter().for_each(|&(a, b)| differ[a as usize].insert(b as usize));
+    let mut order: Vec<u32> = (0..states as u32).collect();
+    order.sort_by_key(|&state| machine.sight[state as usize]);
+    let members = (0..states as u32).map(|state| vec![state]).collect();
+    let mut classes = Classes { machine, differ, of: (0..states as u32).collect(), members, steps: 0 };
+    for group in order.chunk_by(|&a, &b| machine.sight[a as usize] == machine.sight[b as usize]) {
+        for (i, &a) in group.iter().enumerate() {
+            for &b in &group[i + 1..] {
+                if classes.steps < STEPS {
+                    classes.try_to_unite(a, b);
+                }
             }
         }
     }
-    let mut number = vec![u32::MAX; nodes as usize];
-    let mut classes = 0;
-    (0..nodes)
-        .map(|node| {
-            let root = sets.find(node) as usize;
-            if number[root] == u32::MAX {
-                number[root] = classes;
-                classes += 1;
-            }
-            number[root]
-        })
-        .collect()
+    numbered(classes.of.into_iter())
 }
 
-/// Disjoint sets of nodes; the root of a set is its least member.
-#[derive(Clone)]
-struct Sets {
-    parent: Vec<u32>,
+struct Classes<'a> {
+    machine: &'a Machine,
+    /// Per state those that must be in another class.
+    differ: Vec<FixedBitSet>,
+    /// Per state its class, the number of a member.
+    of: Vec<u32>,
+    /// Per class its members.
+    members: Vec<Vec<u32>>,
+    steps: u64,
 }
 
-impl Sets {
-    fn find(&self, node: u32) -> u32 {
-        let mut root = node;
-        while self.parent[root as usize] != root {
-            root = self.parent[root as usize];
-        }
-        root
-    }
-
-    fn members(&self, root: u32) -> Vec<u32> {
-        (root..self.parent.len() as u32).filter(|&node| self.find(node) == root).collect()
-    }
-
-    /// With the sets of two nodes united, and those of their successors, and so on; `None` if this cannot be.
-    fn unite(&self, local: &Local, apart: &BTreeSet<(u32, u32)>, a: u32, b: u32) -> Option<Sets> {
-        let mut sets = self.clone();
+impl Classes<'_> {
+    /// Unites two classes, those of their successors, and so on; or changes nothing.
+    fn try_to_unite(&mut self, a: u32, b: u32) {
+        // What was moved, to move it back: the class from which and to which, and how many members that had.
+        let mut trail: Vec<(u32, u32, usize)> = Vec::new();
         let mut open = vec![(a, b)];
         while let Some((a, b)) = open.pop() {
-            let (a, b) = (sets.find(a), sets.find(b));
+            let (a, b) = (self.of[a as usize], self.of[b as usize]);
             if a == b {
                 continue;
             }
-            let (left, right) = (sets.members(a), sets.members(b));
-            for &x in &left {
-                for &y in &right {
-                    if apart.contains(&(x.min(y), x.max(y))) {
-                        return None;
-                    }
-                    open.extend(shared(local, x, y));
+            let mut allowed = true;
+            for &x in &self.members[a as usize] {
+                for &y in &self.members[b as usize] {
+                    self.steps += 1;
+                    allowed &= !self.differ[x as usize].contains(y as usize);
+                    open.extend(shared(self.machine, x, y));
                 }
             }
-            sets.parent[a.max(b) as usize] = a.min(b);
+            if !allowed {
+                self.undo(trail);
+                return;
+            }
+            let moved = std::mem::take(&mut self.members[b as usize]);
+            moved.iter().for_each(|&state| self.of[state as usize] = a);
+            trail.push((b, a, self.members[a as usize].len()));
+            self.members[a as usize].extend(moved);
         }
-        Some(sets)
+    }
+
+    fn undo(&mut self, trail: Vec<(u32, u32, usize)>) {
+        for (from, to, before) in trail.into_iter().rev() {
+            let moved = self.members[to as usize].split_off(before);
+            moved.iter().for_each(|&state| self.of[state as usize] = from);
+            self.members[from as usize] = moved;
+        }
     }
 }
 
-/// Where the same events lead two nodes of one sight: again to nodes of one sight each, since components are deterministic.
-fn shared(local: &Local, x: u32, y: u32) -> impl Iterator<Item = (u32, u32)> {
-    local.successors(x).filter_map(move |from_x| {
-        let mut of_y = local.successors(y);
-        of_y.find(|from_y| from_y.event == from_x.event).map(|from_y| (from_x.target, from_y.target))
+/// Where labels of both states lead.
+fn shared(machine: &Machine, x: u32, y: u32) -> impl Iterator<Item = (u32, u32)> {
+    let of_y = machine.edges(y);
+    machine.edges(x).iter().filter_map(move |&(label, to)| {
+        let found = of_y.binary_search_by_key(&label, |&(label, _)| label).ok()?;
+        Some((to, of_y[found].1))
     })
 }

@@ -88,7 +88,7 @@ impl Assembly<'_, '_> {
         let memory = self.bounds.memory;
         let seen: Vec<&Change> = memory[which].seen.iter().collect();
         let switches = switches(self.bounds, which, &seen)?;
-        let name = &self.bounds.plant.automata[memory[which].automaton as usize].name;
+        let name = memory[which].name(self.bounds.plant);
         let mut writes = Vec::new();
         for switch in &switches {
             writes.extend(self.writes_of(*switch, None)?);

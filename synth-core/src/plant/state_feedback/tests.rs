@@ -288,6 +288,53 @@ fn memory_follows_the_constraint() {
     }
 }
 
+/// Relays that the plant declares, and bits for two constraint automata.
+#[test]
+fn relays_and_bits_together() {
+    let (plant, closed, memory) = with_memory(include_str!("../../../../tests/plants/mixer.plant"));
+    assert_eq!(memory.iter().map(|remembered| remembered.bits).collect::<Vec<_>>(), [1, 2]);
+    for options in all_options() {
+        let feedback = state_feedback(&plant, &closed, &memory, options).unwrap();
+        let caused = beside(&plant, &closed, &feedback, options);
+        for name in ["left", "right", "rinse", "stopB"] {
+            assert!(caused[event(&plant, name) as usize] > 5, "{options:?} {name} {caused:?}");
+        }
+    }
+}
+
+/// Either of two relays may show the initial state, and one output is on: some relay has to be on at first.
+#[test]
+fn relays_show_the_initial_state() {
+    let text = |formula: &str| {
+        format!(
+            "plant P {{
+                output Y memory M, N
+                controllable on {{ set Y set M reset N }}
+                controllable off {{ reset Y reset M reset N }}
+                automaton A {{
+                    initial state First [{formula}] {{ off -> Second }}
+                    state Second [!Y && !M && !N] {{ on -> First }}
+                }}
+            }}"
+        )
+    };
+    for (formula, values) in
+        [("M || N", [false, true]), ("Y && M && !N", [true, false]), ("M && N || Y && M", [true, true])]
+    {
+        let plant = plant(&text(formula));
+        let feedback = state_feedback(&plant, &closed_loop(&plant), &[], EXACT).unwrap();
+        let usage = |name: &str| {
+            feedback
+                .program
+                .variables
+                .iter()
+                .find(|variable| variable.name == name)
+                .map(|variable| variable.usage)
+        };
+        assert_eq!([usage("M"), usage("N")], values.map(|value| Some(Use::Memory(value))), "{formula}");
+    }
+}
+
 #[test]
 fn without_memory_two_entries_look_the_same() {
     let (plant, closed, _) = with_memory(BUFFER);
