@@ -4,18 +4,21 @@
 
 mod acceptance;
 mod actions;
+mod components;
 mod counter;
 mod counter_strategy;
 mod extract;
 mod fairness;
 mod keysets;
 mod paths;
+mod plays;
 mod predecessors;
 mod pursuit;
 mod region;
 mod separation;
 mod solve;
 mod strategy;
+mod trim;
 
 pub use actions::{Actions, ActionsBuilder};
 pub use counter::{CounterPlay, Loss, can_meet, counter_play, wins};
