@@ -24,7 +24,7 @@ impl Solved<'_> {
     /// Counts.
     #[must_use]
     pub fn figures(&self) -> Figures {
-        let Solved { explored: Explored { store, game, .. }, solution } = self;
+        let Solved { explored: Explored { store, game, .. }, solution, .. } = self;
         let count =
             |counts: &dyn Fn(usize) -> bool| (0..game.states()).filter(|&state| counts(state)).count();
         let mut config = Config::default();

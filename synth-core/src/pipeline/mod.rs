@@ -21,6 +21,7 @@ use crate::playout::{Config, Semantics};
 use crate::quality;
 use crate::syntax::Loaded;
 use crate::verify::verify;
+use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 /// Nodes of a product have `u32` ids.
@@ -64,6 +65,19 @@ pub struct Solved<'s> {
     pub explored: Explored<'s>,
     /// Who wins where.
     pub solution: Solution,
+    /// A winning strategy, once somebody asked for it: controller and warnings are made from the same.
+    strategy: Option<Rc<Strategy>>,
+}
+
+impl Solved<'_> {
+    /// A winning strategy; one in which every super step ends, if there is such a one.
+    fn strategy(&mut self, timings: &mut Timings) -> Result<Rc<Strategy>, Failure> {
+        if let Some(known) = &self.strategy {
+            return Ok(known.clone());
+        }
+        let found = timings.stage("extract", || winning_strategy(&self.explored.game, &self.solution))?;
+        Ok(self.strategy.insert(Rc::new(found)).clone())
+    }
 }
 
 /// A controller that passed verification.
@@ -141,7 +155,7 @@ pub fn play_and_solve<'s>(
     let explored = timings.stage("explore", || explore(spec, options.semantics, &options.limits));
     let explored = explored?;
     let solution = timings.stage("solve", || solve(&explored.game));
-    Ok(Solved { explored, solution })
+    Ok(Solved { explored, solution, strategy: None })
 }
 
 /// A verified controller.
@@ -156,8 +170,8 @@ pub fn synthesize(
     if !solved.solution.wins(solved.explored.game.initial) {
         return Err(unrealizable(solved, &options.limits, timings));
     }
-    let Solved { explored, solution } = solved;
-    let strategy = timings.stage("extract", || strategy(&explored.game, solution))?;
+    let strategy = solved.strategy(timings)?;
+    let explored = &mut solved.explored;
     let raw = timings.stage("super steps", || merged(explored, &strategy));
     let raw =
         raw.map_err(|endless| Failure::Wrong(vec![endless::diagnostic(explored, &strategy, endless)]))?;
@@ -186,10 +200,10 @@ pub fn warnings(
     timings: &mut Timings,
 ) -> Result<Vec<Diagnostic>, Failure> {
     let mut warnings = quality::of_text(loaded, solved.explored.playout.spec());
-    let Solved { explored, solution } = solved;
-    warnings.extend(timings.stage("warnings of plays", || quality::of_game(explored)));
-    if solution.wins(explored.game.initial) {
-        let strategy = timings.stage("extract", || strategy(&explored.game, solution))?;
+    warnings.extend(timings.stage("warnings of plays", || quality::of_game(&mut solved.explored)));
+    if solved.solution.wins(solved.explored.game.initial) {
+        let strategy = solved.strategy(timings)?;
+        let explored = &mut solved.explored;
         // Without one there is no controlled system to speak of, and that is an error of its own.
         let alphabet = alphabet(&explored.playout);
         let merge = || merge(&explored.game, &strategy, &alphabet, &mut |_| Vec::new());
@@ -208,8 +222,7 @@ pub fn warnings(
     Ok(warnings)
 }
 
-/// A winning strategy; one in which every super step ends, if there is such a one.
-fn strategy(game: &Game, solution: &Solution) -> Result<Strategy, Failure> {
+fn winning_strategy(game: &Game, solution: &Solution) -> Result<Strategy, Failure> {
     let extract =
         |solution| extract(game, solution).map_err(|error| Failure::Inconsistent(error.to_string()));
     let strategy = extract(solution)?;
