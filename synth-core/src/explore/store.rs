@@ -1,108 +1,38 @@
-//! States packed to bits and interned.
-//!
-//! A row has one field for the valuation, one bit for `yielded` and one field for every *slot*: the copies of one
-//! scenario with one role binding. Most slots hold no copy or one of a few, so a field is a few bits that index the
-//! slot's distinct sets of copies. Slots and sets are discovered on the way; when a field becomes too narrow, all
-//! rows are packed anew with a wider one, which happens about as often as there are bits in a row.
+//! The states found so far, packed to bits, with the function that finds their successors.
 
-use crate::intern::Rows;
 use crate::model::Value;
-use crate::playout::{Config, CopyId, Playout};
-use rustc_hash::FxHashMap;
+use crate::playout::{Config, CopyId, EventId, KeyId, PlayError, Playout};
+use crate::successors::{Learned, PackedMoves, PackedRows, SetId, Successors, UNKNOWN_SET, hash_row, learn};
 
 /// Index of a state, in order of discovery.
 pub type StateId = u32;
 
-const VALUATION: usize = 0;
-const YIELDED: usize = 1;
-const FIRST_SLOT: usize = 2;
-
-/// Where a field lies in a row; it never crosses a word.
-#[derive(Clone, Copy, Debug)]
-struct Field {
-    word: usize,
-    shift: u32,
-    width: u32,
-}
-
-impl Field {
-    fn mask(self) -> u64 {
-        (1 << self.width) - 1
-    }
-
-    fn read(self, row: &[u64]) -> u64 {
-        row[self.word] >> self.shift & self.mask()
-    }
-
-    fn write(self, row: &mut [u64], value: u64) {
-        row[self.word] |= value << self.shift;
-    }
-}
-
-/// The distinct sets of copies of one slot; set 0 is the empty one.
-#[derive(Debug, Default)]
-struct Slot {
-    sets: Vec<Box<[CopyId]>>,
-    index: FxHashMap<Box<[CopyId]>, u32>,
-}
-
-impl Slot {
-    fn new() -> Self {
-        let mut slot = Slot::default();
-        slot.intern(&[]);
-        slot
-    }
-
-    fn intern(&mut self, copies: &[CopyId]) -> u32 {
-        if let Some(&set) = self.index.get(copies) {
-            return set;
-        }
-        let set = self.sets.len() as u32;
-        self.sets.push(copies.into());
-        self.index.insert(copies.into(), set);
-        set
-    }
-}
-
-/// All states found so far.
+/// All states found so far. When a field of their rows becomes too narrow, all of them are packed anew, which happens
+/// about as often as there are bits in a row.
 #[derive(Debug)]
 pub struct StateStore {
-    fields: Vec<Field>,
-    rows: Rows<u64>,
-    slots: Vec<Slot>,
-    slot_index: FxHashMap<(usize, Box<[Value]>), usize>,
-    /// Per copy: its slot.
-    slot_of: Vec<usize>,
-    /// Scratch: copies by slot, the fields' values, the packed row.
-    by_slot: Vec<(usize, CopyId)>,
-    values: Vec<u64>,
-    row: Vec<u64>,
-}
-
-impl Default for StateStore {
-    fn default() -> Self {
-        let (fields, words) = lay_out(&[1, 1]);
-        StateStore {
-            fields,
-            rows: Rows::new(words),
-            slots: Vec::new(),
-            slot_index: FxHashMap::default(),
-            slot_of: Vec::new(),
-            by_slot: Vec::new(),
-            values: Vec::new(),
-            row: Vec::new(),
-        }
-    }
+    pub(super) successors: Successors,
+    pub(super) rows: PackedRows,
 }
 
 impl StateStore {
+    /// Holds one state, with id 0.
+    #[must_use]
+    pub fn new(playout: &Playout<'_>, initial: &Config) -> Self {
+        let mut successors = Successors::new(playout);
+        let row = successors.pack_first(playout, initial);
+        let mut rows = PackedRows::new(row.len());
+        rows.intern(hash_row(&row), &row);
+        StateStore { successors, rows }
+    }
+
     /// Number of states; ids are below it.
     #[must_use]
     pub fn len(&self) -> usize {
         self.rows.len()
     }
 
-    /// Whether no state was interned yet.
+    /// Never: there is an initial state.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -111,113 +41,99 @@ impl StateStore {
     /// Bytes held.
     #[must_use]
     pub fn memory(&self) -> usize {
-        self.rows.memory()
+        self.rows.memory() + self.successors.memory()
     }
 
     /// Bits that carry information in a row.
     #[must_use]
     pub fn bits(&self) -> u32 {
-        self.fields.iter().map(|field| field.width).sum()
+        self.successors.layout().bits()
     }
 
-    /// The id of a state, new or not.
-    pub fn intern(&mut self, playout: &Playout<'_>, config: &Config) -> StateId {
-        self.take_apart(playout, config);
-        self.widen();
-        pack(&mut self.row, self.rows.width(), self.fields.iter().zip(self.values.iter().copied()));
-        self.rows.intern(&self.row)
+    /// Unpacks a state that was found in this play-out.
+    pub fn load(&self, playout: &mut Playout<'_>, state: StateId, config: &mut Config) {
+        self.successors.load(playout, self.rows.get(state), &mut Vec::new(), config);
     }
 
-    /// Unpacks a state.
-    pub fn load(&self, state: StateId, config: &mut Config) {
-        let row = self.rows.get(state);
-        config.valuation = self.fields[VALUATION].read(row) as u32;
-        config.yielded = self.fields[YIELDED].read(row) != 0;
-        config.copies.clear();
-        for (slot, field) in self.slots.iter().zip(&self.fields[FIRST_SLOT..]) {
-            config.copies.extend_from_slice(&slot.sets[field.read(row) as usize]);
-        }
-        config.copies.sort_unstable();
+    /// Whether the system has yielded since the last event.
+    #[must_use]
+    pub fn yielded(&self, state: StateId) -> bool {
+        self.successors.yielded(self.rows.get(state))
     }
 
-    /// Computes the fields' values of `config` into `self.values`.
-    fn take_apart(&mut self, playout: &Playout<'_>, config: &Config) {
-        self.by_slot.clear();
-        for &copy in &config.copies {
-            let slot = self.slot(playout, copy);
-            self.by_slot.push((slot, copy));
-        }
-        self.by_slot.sort_unstable();
-        self.values.clear();
-        self.values.resize(FIRST_SLOT + self.slots.len(), 0);
-        self.values[VALUATION] = u64::from(config.valuation);
-        self.values[YIELDED] = u64::from(config.yielded);
-        for group in self.by_slot.chunk_by(|a, b| a.0 == b.0) {
-            let slot = group[0].0;
-            let set = match group {
-                [(_, copy)] => self.slots[slot].intern(&[*copy]),
-                several => {
-                    let copies: Vec<CopyId> = several.iter().map(|&(_, copy)| copy).collect();
-                    self.slots[slot].intern(&copies)
-                }
-            };
-            self.values[FIRST_SLOT + slot] = u64::from(set);
-        }
+    /// The copies of a state, ascending, into a cleared list.
+    pub fn copies(&self, state: StateId, copies: &mut Vec<CopyId>) {
+        copies.clear();
+        self.successors.copies(self.rows.get(state), copies);
     }
 
-    fn slot(&mut self, playout: &Playout<'_>, copy: CopyId) -> usize {
-        for unseen in self.slot_of.len()..=copy as usize {
-            let copy = playout.copy(unseen as CopyId);
-            let next = self.slots.len();
-            let slot = *self.slot_index.entry((copy.scenario, copy.roles.clone())).or_insert(next);
-            if slot == next {
-                self.slots.push(Slot::new());
+    /// The values of all attributes in a state, by slot, into a cleared list.
+    pub fn values(&self, playout: &Playout<'_>, state: StateId, values: &mut Vec<Value>) {
+        self.successors.values(playout, self.rows.get(state), values);
+    }
+
+    /// Finds the moves of a state.
+    ///
+    /// # Errors
+    /// Those of [`Playout::moves`].
+    pub fn moves(
+        &mut self,
+        playout: &mut Playout<'_>,
+        state: StateId,
+        out: &mut PackedMoves,
+    ) -> Result<(), (Option<EventId>, PlayError)> {
+        let mut narrow = Vec::new();
+        while self.successors.moves(self.rows.get(state), out).is_err() {
+            if self.learn(playout, state, &mut narrow, out)? == Learned::Moves {
+                break;
             }
-            self.slot_of.push(slot);
+            self.widen(&narrow);
+            narrow.clear();
         }
-        self.slot_of[copy as usize]
+        if out.open == UNKNOWN_SET {
+            out.open = self.successors.open_set(self.rows.get(state));
+        }
+        Ok(())
     }
 
-    /// Packs all rows anew if some value does not fit its field.
-    fn widen(&mut self) {
-        let fits = |(field, &value): (&Field, &u64)| value <= field.mask();
-        if self.fields.len() == self.values.len() && self.fields.iter().zip(&self.values).all(fits) {
-            return;
-        }
-        let old_widths = self.fields.iter().map(|field| field.width).chain(std::iter::repeat(1));
-        let needed = self.values.iter().map(|&value| u64::BITS - value.leading_zeros());
-        let widths: Vec<u32> = old_widths.zip(needed).map(|(old, needed)| old.max(needed)).collect();
-        let (fields, words) = lay_out(&widths);
-        let mut rows = Rows::new(words);
+    /// The fairness keys of a set that moves name, ascending.
+    #[must_use]
+    pub fn keys(&self, set: SetId) -> &[KeyId] {
+        self.successors.set(set)
+    }
+
+    /// Finds the moves of a state and keeps what they follow from, unless rows have no room for `narrow`.
+    ///
+    /// # Errors
+    /// Those of [`Playout::moves`].
+    pub(super) fn learn(
+        &mut self,
+        playout: &mut Playout<'_>,
+        state: StateId,
+        narrow: &mut Vec<(u32, u32)>,
+        out: &mut PackedMoves,
+    ) -> Result<Learned, (Option<EventId>, PlayError)> {
+        learn(&mut self.successors, playout, self.rows.get(state), narrow, out)
+    }
+
+    /// The id of a state that a move leads to, new or not.
+    pub fn intern(&mut self, row: &[u64]) -> StateId {
+        self.rows.intern(hash_row(row), row)
+    }
+
+    /// Packs all rows anew, with room for these values of fields.
+    pub(super) fn widen(&mut self, narrow: &[(u32, u32)]) {
+        let old = self.successors.layout().clone();
+        let layout = self.successors.widened(narrow);
+        let mut rows = PackedRows::new(layout.words());
+        let mut row = Vec::new();
         for state in 0..self.len() as StateId {
-            let old = self.rows.get(state);
-            let values = self.fields.iter().map(|field| field.read(old));
-            pack(&mut self.row, words, fields.iter().zip(values));
-            rows.intern(&self.row);
+            row.clear();
+            row.resize(layout.words(), 0);
+            layout.convert(&old, self.rows.get(state), &mut row);
+            rows.intern(hash_row(&row), &row);
         }
-        (self.fields, self.rows) = (fields, rows);
+        self.rows = rows;
+        self.successors.set_layout(layout);
     }
-}
-
-/// Writes the fields' values to a cleared row.
-fn pack<'f>(row: &mut Vec<u64>, words: usize, values: impl Iterator<Item = (&'f Field, u64)>) {
-    row.clear();
-    row.resize(words, 0);
-    for (field, value) in values {
-        field.write(row, value);
-    }
-}
-
-/// Places fields of these widths, first come first served, and counts the words of a row.
-fn lay_out(widths: &[u32]) -> (Vec<Field>, usize) {
-    let (mut word, mut shift) = (0, 0);
-    let mut fields = Vec::with_capacity(widths.len());
-    for &width in widths {
-        if shift + width > u64::BITS {
-            (word, shift) = (word + 1, 0);
-        }
-        fields.push(Field { word, shift, width });
-        shift += width;
-    }
-    (fields, word + 1)
 }

@@ -76,6 +76,20 @@ impl KeySetsBuilder {
         set
     }
 
+    /// The members of a set, ascending.
+    #[must_use]
+    pub fn members(&self, set: u32) -> &[u32] {
+        self.sets.members(set)
+    }
+
+    /// Bytes held.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        // The index has a byte of its own beside each id.
+        (self.sets.members.capacity() + self.sets.first.capacity()) * size_of::<u32>()
+            + self.index.capacity() * (size_of::<u32>() + 1)
+    }
+
     /// The finished sets.
     #[must_use]
     pub fn finish(self) -> KeySets {
