@@ -5,10 +5,9 @@
 //! Both are seen to afterwards, in the order of the states, so that all numbers are those of a search that takes one state
 //! after the other.
 
-use super::store::{StateId, StateStore};
 use crate::game::Turn;
 use crate::playout::EventId;
-use crate::successors::{PackedMoves, SetId, hash_row};
+use crate::successors::{PackedMoves, SetId, StateId, StateStore, hash_row};
 use std::ops::Range;
 use std::thread;
 

@@ -6,11 +6,10 @@
 mod batch;
 #[cfg(feature = "json")]
 mod json;
-mod store;
 
+pub use crate::successors::{StateId, StateStore};
 #[cfg(feature = "json")]
 pub use json::write_json;
-pub use store::{StateId, StateStore};
 
 use crate::diagnostic::counted;
 use crate::game::{ActionsBuilder, Game, KeySets, KeySetsBuilder, ShortestPaths, Turn, YIELD};
@@ -22,12 +21,28 @@ use std::fmt;
 use std::ops::Range;
 
 impl Explored<'_> {
+    /// Bytes held for states: their rows and index, their part of the graph, and what is remembered of steps.
+    #[must_use]
+    pub fn memory_of_states(&self) -> usize {
+        self.store.memory() + self.playout.memory() + self.game.turn.capacity() * PER_STATE
+    }
+
+    /// Bytes held for edges.
+    #[must_use]
+    pub fn memory_of_edges(&self) -> usize {
+        self.game.target.capacity() * PER_EDGE
+    }
+
     /// The text of an edge of the game.
     #[must_use]
     pub fn text(&self, edge: usize) -> &str {
         self.playout.text(event_of(self.game.label(edge)))
     }
 }
+
+/// Bytes of the graph for each state, and for each edge.
+const PER_STATE: usize = 2 * size_of::<u32>() + 2;
+const PER_EDGE: usize = 2 * size_of::<u32>();
 
 /// The event of a label, none for a yield.
 fn event_of(label: u32) -> Option<EventId> {
@@ -328,14 +343,12 @@ impl Explorer<'_, '_> {
 
     fn memory(&self) -> usize {
         let graph = &self.graph;
-        let per_edge = 2 * size_of::<u32>();
-        let per_state = 2 * size_of::<u32>() + 2;
         self.store.memory()
             + self.playout.memory()
             + self.sets.memory()
             + self.buffers
-            + graph.target.capacity() * per_edge
-            + graph.turn.capacity() * per_state
+            + graph.target.capacity() * PER_EDGE
+            + graph.turn.capacity() * PER_STATE
     }
 
     /// The shortest play to a state, and then the event that met a mistake there.

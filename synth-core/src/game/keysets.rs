@@ -76,6 +76,18 @@ impl KeySetsBuilder {
         set
     }
 
+    /// Number of distinct sets so far.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.sets.len()
+    }
+
+    /// Never: set 0 always exists.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        false
+    }
+
     /// The members of a set, ascending.
     #[must_use]
     pub fn members(&self, set: u32) -> &[u32] {

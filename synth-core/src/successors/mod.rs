@@ -17,6 +17,7 @@ mod learn;
 mod moves;
 mod rows;
 mod sets;
+mod store;
 mod tables;
 mod trees;
 
@@ -24,6 +25,7 @@ pub(crate) use learn::{Learned, learn};
 pub use moves::{Edge, PackedMoves};
 pub(crate) use rows::{PackedRows, hash_row, reserve};
 pub use sets::SetId;
+pub use store::{StateId, StateStore};
 pub(crate) use tables::Successors;
 
 /// Stands for a set of keys that has no number yet.

@@ -19,6 +19,10 @@ fn pair(a: SetId, b: SetId) -> u64 {
 }
 
 impl Sets {
+    pub(super) fn len(&self) -> SetId {
+        self.sets.len() as SetId
+    }
+
     pub(super) fn members(&self, set: SetId) -> &[KeyId] {
         self.sets.members(set)
     }

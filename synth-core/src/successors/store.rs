@@ -1,8 +1,8 @@
 //! The states found so far, packed to bits, with the function that finds their successors.
 
+use super::{Learned, PackedMoves, PackedRows, SetId, Successors, UNKNOWN_SET, hash_row, learn};
 use crate::model::Value;
 use crate::playout::{Config, CopyId, EventId, KeyId, PlayError, Playout};
-use crate::successors::{Learned, PackedMoves, PackedRows, SetId, Successors, UNKNOWN_SET, hash_row, learn};
 
 /// Index of a state, in order of discovery.
 pub type StateId = u32;
@@ -11,8 +11,8 @@ pub type StateId = u32;
 /// about as often as there are bits in a row.
 #[derive(Debug)]
 pub struct StateStore {
-    pub(super) successors: Successors,
-    pub(super) rows: PackedRows,
+    pub(crate) successors: Successors,
+    pub(crate) rows: PackedRows,
 }
 
 impl StateStore {
@@ -96,6 +96,12 @@ impl StateStore {
         Ok(())
     }
 
+    /// How many sets of fairness keys were met so far; ids are below it.
+    #[must_use]
+    pub fn sets(&self) -> SetId {
+        self.successors.sets.len()
+    }
+
     /// The fairness keys of a set that moves name, ascending.
     #[must_use]
     pub fn keys(&self, set: SetId) -> &[KeyId] {
@@ -106,7 +112,7 @@ impl StateStore {
     ///
     /// # Errors
     /// Those of [`Playout::moves`].
-    pub(super) fn learn(
+    pub(crate) fn learn(
         &mut self,
         playout: &mut Playout<'_>,
         state: StateId,
@@ -122,7 +128,7 @@ impl StateStore {
     }
 
     /// Packs all rows anew, with room for these values of fields.
-    pub(super) fn widen(&mut self, narrow: &[(u32, u32)]) {
+    pub(crate) fn widen(&mut self, narrow: &[(u32, u32)]) {
         let old = self.successors.layout().clone();
         let layout = self.successors.widened(narrow);
         let mut rows = PackedRows::new(layout.words());
