@@ -10,11 +10,13 @@ pub(super) struct Field {
 }
 
 impl Field {
+    #[inline]
     pub(super) fn read(self, row: &[u64]) -> u32 {
         (row[self.word as usize] >> self.shift & self.mask) as u32
     }
 
     /// Writes a value that fits.
+    #[inline]
     pub(super) fn write(self, row: &mut [u64], value: u32) {
         debug_assert!(self.fits(value));
         let word = &mut row[self.word as usize];
@@ -43,6 +45,7 @@ impl Layout {
         Layout { fields: vec![Field::default(); fields], words: 1 }
     }
 
+    #[inline]
     pub(super) fn field(&self, field: usize) -> Field {
         self.fields[field]
     }

@@ -172,16 +172,16 @@ impl Successors {
     }
 }
 
-/// The leaf of a tree for the state.
-#[inline]
+/// The leaf of a tree for the state. Most roots are leaves that stand for nothing.
+#[inline(always)]
 fn leaf<S: Source>(source: &mut S, place: Place, before: &[u64], after: &[u64]) -> Result<Node, Miss> {
+    if source.tables().root(place) == NOTHING { Ok(NOTHING) } else { walk(source, place, before, after) }
+}
+
+fn walk<S: Source>(source: &mut S, place: Place, before: &[u64], after: &[u64]) -> Result<Node, Miss> {
     loop {
         let tables = source.tables();
-        let root = tables.root(place);
-        if root == NOTHING {
-            return Ok(NOTHING);
-        }
-        let leaf = tables.trees.walk(root, &tables.layout, before, after);
+        let leaf = tables.trees.walk(tables.root(place), &tables.layout, before, after);
         if leaf != UNKNOWN {
             return Ok(leaf);
         }
@@ -189,6 +189,7 @@ fn leaf<S: Source>(source: &mut S, place: Place, before: &[u64], after: &[u64]) 
     }
 }
 
+#[inline]
 fn union<S: Source>(source: &mut S, a: SetId, b: SetId) -> Result<SetId, Miss> {
     loop {
         if let Some(union) = source.tables().sets.union(a, b) {

@@ -225,7 +225,7 @@ impl Successors {
         FIRST_ATTRIBUTE + self.attributes.len()
     }
 
-    #[inline]
+    #[inline(always)]
     pub(super) fn root(&self, place: Place) -> Node {
         match place {
             Place::Link(event) => self.events[event as usize].link,
