@@ -55,6 +55,10 @@ impl<T: Copy + Eq + Hash> Rows<T> {
         Rows { width, values: Vec::new(), count: 0, index: HashTable::new() }
     }
 
+    pub(crate) fn width(&self) -> usize {
+        self.width
+    }
+
     pub(crate) fn len(&self) -> usize {
         self.count as usize
     }
