@@ -250,10 +250,10 @@ impl Session {
         if let Some(Size { states, edges, of_states, of_edges }) = &self.size {
             let each = |bytes: usize, count: usize| bytes as f64 / count.max(1) as f64;
             output::note(&format!(
-                "{} of {:.1} bytes each, {} of {:.1}",
+                "{}, {}: {:.1} bytes for a state, {:.1} for a transition",
                 counted(*states, "state"),
-                each(*of_states, *states),
                 counted(*edges, "transition"),
+                each(*of_states, *states),
                 each(*of_edges, *edges)
             ));
         }

@@ -8,6 +8,7 @@
 use crate::game::Turn;
 use crate::playout::EventId;
 use crate::successors::{PackedMoves, SetId, StateId, StateStore, hash_row};
+use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::thread;
 
@@ -151,14 +152,20 @@ impl<'b> Reader<'b> {
     }
 }
 
-/// Fills blocks with the moves of these states, on at most so many threads; how many blocks have been filled.
+/// Fills blocks with the moves of these states, on at most so many threads, or as many as the machine runs at once if that is
+/// 0; how many blocks have been filled.
 pub(super) fn fill(
     blocks: &mut Vec<Block>,
     store: &StateStore,
     states: Range<StateId>,
     threads: usize,
 ) -> usize {
-    let threads = (states.len() / LEAST_SHARE).clamp(1, threads);
+    let threads = match (states.len() / LEAST_SHARE).max(1) {
+        // Asking the system takes longer than many a specification.
+        1 => 1,
+        most if threads == 0 => most.min(thread::available_parallelism().map_or(1, NonZeroUsize::get)),
+        most => most.min(threads),
+    };
     blocks.resize_with(blocks.len().max(threads), Block::default);
     let share = states.len().div_ceil(threads) as StateId;
     let part = |index: usize| {

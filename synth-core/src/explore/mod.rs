@@ -200,14 +200,10 @@ type Mistake = (StateId, Option<EventId>, PlayError);
 
 impl Explorer<'_, '_> {
     fn run(&mut self, limits: &Limits) -> Result<(), ExploreError> {
-        let threads = match limits.threads {
-            0 => std::thread::available_parallelism().map_or(1, std::num::NonZeroUsize::get),
-            threads => threads,
-        };
         while self.graph.turn.len() < self.store.len() {
             let start = self.graph.turn.len();
             let states = start as StateId..self.store.len().min(start + BATCH) as StateId;
-            let (filled, mistake) = self.find(&states, threads);
+            let (filled, mistake) = self.find(&states, limits.threads);
             self.buffers = self.blocks.iter().chain([&self.learned]).map(Block::memory).sum();
             let blocks = std::mem::take(&mut self.blocks);
             let merged = self.merge(&blocks[..filled], mistake.as_ref().map(|one| one.0), limits);
@@ -313,7 +309,7 @@ impl Explorer<'_, '_> {
     /// Whether the next state may be looked at.
     fn check(&self, limits: &Limits) -> Result<(), ExploreError> {
         self.check_size(limits)?;
-        if self.graph.turn.len() % MEMORY_PERIOD == 0 { self.check_memory(limits) } else { Ok(()) }
+        if self.graph.turn.len().is_multiple_of(MEMORY_PERIOD) { self.check_memory(limits) } else { Ok(()) }
     }
 
     fn check_size(&self, limits: &Limits) -> Result<(), ExploreError> {
