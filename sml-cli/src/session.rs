@@ -39,7 +39,9 @@ pub(crate) struct ReadPlant {
 struct Size {
     states: usize,
     edges: usize,
-    bytes: usize,
+    /// Bytes for states and what is remembered of steps, and for each edge.
+    of_states: usize,
+    of_edges: usize,
 }
 
 impl Size {
@@ -47,7 +49,8 @@ impl Size {
         Size {
             states: explored.game.states(),
             edges: explored.game.edges(),
-            bytes: explored.store.memory() + explored.playout.memory(),
+            of_states: explored.memory_of_states(),
+            of_edges: explored.memory_of_edges(),
         }
     }
 }
@@ -244,9 +247,15 @@ impl Session {
             line(name, *time);
         }
         line("total", self.timings.0.iter().map(|stage| stage.1).sum());
-        if let Some(Size { states, edges, bytes }) = &self.size {
-            let (states, edges) = (counted(*states, "state"), counted(*edges, "transition"));
-            output::note(&format!("{states}, {edges}, {}", counted(*bytes, "byte")));
+        if let Some(Size { states, edges, of_states, of_edges }) = &self.size {
+            let each = |bytes: usize, count: usize| bytes as f64 / count.max(1) as f64;
+            output::note(&format!(
+                "{}, {}: {:.1} bytes for a state, {:.1} for a transition",
+                counted(*states, "state"),
+                counted(*edges, "transition"),
+                each(*of_states, *states),
+                each(*of_edges, *edges)
+            ));
         }
     }
 }

@@ -13,10 +13,11 @@
 
 use crate::controller::{Controller, SuperStep};
 use crate::explore::{LimitReached, Limits, StateId, StateStore};
-use crate::game::Turn;
+use crate::game::{Turn, YIELD};
 use crate::model::{Kind, Spec};
 use crate::pipeline::{Failure, Options, Solved};
-use crate::playout::{Config, EventId, Moves, PlayError, Playout};
+use crate::playout::{EventId, PlayError, Playout};
+use crate::successors::PackedMoves;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
@@ -52,11 +53,11 @@ pub fn existential(
             let mut witness = None;
             if let Some(controller) = controller {
                 let guide = Controlled::new(controller);
-                witness = Search::new(spec, options, index)?.run(&guide)?;
+                witness = search(spec, options, index, &guide)?;
             }
             let reachable = witness.is_some();
             if !reachable && solved.solution.wins(solved.explored.game.initial) {
-                witness = Search::new(spec, options, index)?.run(&Winning { solved })?;
+                witness = search(spec, options, index, &Winning { solved })?;
             }
             let (scenario, possible) = (scenario.name.clone(), witness.is_some());
             Ok(Existential { scenario, reachable, possible, witness: witness.unwrap_or_default() })
@@ -72,7 +73,13 @@ trait Guide {
     fn start(&self) -> Place;
 
     /// Appends the moves to be followed, each with the place that it leads to.
-    fn follow(&self, playout: &Playout<'_>, place: Place, moves: &Moves, followed: &mut Vec<(usize, Place)>);
+    fn follow(
+        &self,
+        playout: &Playout<'_>,
+        place: Place,
+        moves: &PackedMoves,
+        followed: &mut Vec<(usize, Place)>,
+    );
 }
 
 /// All moves between winning states.
@@ -85,7 +92,13 @@ impl Guide for Winning<'_, '_> {
         (self.solved.explored.game.initial, 0)
     }
 
-    fn follow(&self, _: &Playout<'_>, (state, _): Place, _: &Moves, followed: &mut Vec<(usize, Place)>) {
+    fn follow(
+        &self,
+        _: &Playout<'_>,
+        (state, _): Place,
+        _: &PackedMoves,
+        followed: &mut Vec<(usize, Place)>,
+    ) {
         // Moves come in the same order as the edges of the game.
         let game = &self.solved.explored.game;
         let targets = game.edges_of(state).map(|edge| game.target[edge]).enumerate();
@@ -129,11 +142,11 @@ impl Guide for Controlled<'_> {
         &self,
         playout: &Playout<'_>,
         (state, position): Place,
-        moves: &Moves,
+        moves: &PackedMoves,
         followed: &mut Vec<(usize, Place)>,
     ) {
         let text = |event: EventId| playout.event(event).text.as_str();
-        let events = moves.moves.iter().map(|one| one.event).enumerate();
+        let events = moves.edges().iter().map(|edge| (edge.event != YIELD).then_some(edge.event)).enumerate();
         if let Some(step) = self.due[state as usize] {
             let command = self.controller.commands[step.events[position as usize] as usize].text.as_str();
             let last = position as usize + 1 == step.events.len();
@@ -170,46 +183,48 @@ struct Search<'s> {
     edges: usize,
 }
 
-impl<'s> Search<'s> {
-    fn new(spec: &'s Spec, options: &Options, scenario: usize) -> Result<Self, Failure> {
-        let playout =
-            Playout::following(spec, options.semantics, scenario).map_err(|error| broken(&error, &[]))?;
-        Ok(Search {
-            playout,
-            limits: options.limits,
-            store: StateStore::default(),
-            nodes: Vec::new(),
-            index: FxHashMap::default(),
-            edges: 0,
-        })
+/// The shortest play that completes a copy of the scenario, among those that the guide follows.
+fn search(
+    spec: &Spec,
+    options: &Options,
+    scenario: usize,
+    guide: &dyn Guide,
+) -> Result<Option<Vec<String>>, Failure> {
+    let wrong = |error: PlayError| broken(&error, &[]);
+    let mut playout = Playout::following(spec, options.semantics, scenario).map_err(wrong)?;
+    let begin = playout.begin().map_err(wrong)?;
+    if begin.completed {
+        return Ok(Some(Vec::new()));
     }
+    let store = StateStore::new(&playout, &begin.config);
+    let (nodes, index) = (Vec::new(), FxHashMap::default());
+    let mut search = Search { playout, limits: options.limits, store, nodes, index, edges: 0 };
+    search.enter(0, guide.start(), 0, None);
+    search.run(guide)
+}
 
-    /// The shortest play that completes a copy.
-    fn run(mut self, guide: &dyn Guide) -> Result<Option<Vec<String>>, Failure> {
-        let begin = self.playout.begin().map_err(|error| broken(&error, &[]))?;
-        if begin.completed {
-            return Ok(Some(Vec::new()));
-        }
-        self.enter(&begin.config, guide.start(), 0, None);
-        let (mut config, mut moves, mut followed) = (Config::default(), Moves::default(), Vec::new());
+impl Search<'_> {
+    fn run(&mut self, guide: &dyn Guide) -> Result<Option<Vec<String>>, Failure> {
+        let (mut moves, mut followed) = (PackedMoves::default(), Vec::new());
         for id in 0.. {
             let Some(&Node { state, place, .. }) = self.nodes.get(id as usize) else { break };
             self.check(id as usize)?;
-            self.store.load(state, &mut config);
-            if let Err((event, error)) = self.playout.moves(&config, &mut moves) {
+            if let Err((event, error)) = self.store.moves(&mut self.playout, state, &mut moves) {
                 let last = event.map(|event| self.playout.text(Some(event)).to_owned());
                 return Err(broken(&error, &self.play(id, last)));
             }
             followed.clear();
             guide.follow(&self.playout, place, &moves, &mut followed);
             for &(index, place) in &followed {
-                let one = &moves.moves[index];
-                if one.completed {
-                    let last = self.playout.text(one.event).to_owned();
+                let edge = &moves.edges()[index];
+                let event = (edge.event != YIELD).then_some(edge.event);
+                if edge.completed {
+                    let last = self.playout.text(event).to_owned();
                     return Ok(Some(self.play(id, Some(last))));
                 }
-                if one.end.is_none() {
-                    self.enter(&one.config, place, id, one.event);
+                if edge.end.is_none() {
+                    let target = self.store.intern(moves.target(edge));
+                    self.enter(target, place, id, event);
                 }
             }
             self.edges += followed.len();
@@ -217,8 +232,7 @@ impl<'s> Search<'s> {
         Ok(None)
     }
 
-    fn enter(&mut self, config: &Config, place: Place, parent: u32, event: Option<EventId>) {
-        let state = self.store.intern(&self.playout, config);
+    fn enter(&mut self, state: StateId, place: Place, parent: u32, event: Option<EventId>) {
         let id = self.nodes.len() as u32;
         if *self.index.entry((state, place)).or_insert(id) == id {
             self.nodes.push(Node { state, place, parent, event });

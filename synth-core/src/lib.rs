@@ -23,6 +23,7 @@ pub mod pipeline;
 pub mod plant;
 pub mod playout;
 pub mod quality;
+pub mod successors;
 mod suggest;
 pub mod syntax;
 #[cfg(test)]

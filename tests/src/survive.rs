@@ -38,7 +38,10 @@ pub fn check(bytes: &[u8]) {
 
 /// Few states: most of what can go wrong goes wrong at once.
 fn play(spec: &synth_core::model::Spec) -> Result<(), Failure> {
-    let options = Options { limits: Limits { states: 60, memory: 64 << 20 }, ..Options::default() };
+    let options = Options {
+        limits: Limits { states: 60, memory: 64 << 20, ..Limits::default() },
+        ..Options::default()
+    };
     let mut timings = Timings::default();
     let mut solved = play_and_solve(spec, &options, &mut timings)?;
     let made = synthesize(&mut solved, &options, &mut timings);

@@ -144,7 +144,7 @@ fn system_breaks_relaxed(playout: &mut Playout<'_>) -> bool {
     let Ok((store, _)) = explore_with(playout, &limits) else { return false };
     let (mut config, mut moves, mut step) = (Config::default(), Moves::default(), Step::default());
     (0..store.len() as u32).any(|state| {
-        store.load(state, &mut config);
+        store.load(playout, state, &mut config);
         playout.moves(&config, &mut moves).is_ok()
             && moves.turn.is_system()
             && moves.moves.iter().filter_map(|one| one.event).any(|event| {

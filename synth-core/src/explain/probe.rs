@@ -22,6 +22,7 @@ pub struct Budget {
     all: usize,
     /// Most bytes for one answer.
     memory: usize,
+    threads: usize,
 }
 
 impl Budget {
@@ -33,19 +34,20 @@ impl Budget {
             each: states.saturating_mul(4).max(100_000),
             all: states.saturating_mul(10).max(400_000),
             memory: usize::MAX,
+            threads: 0,
         }
     }
 
-    /// At most so many states all together, and at most so much memory for one answer.
+    /// At most so many states all together, and at most so much memory and so many threads for one answer.
     #[must_use]
     pub fn within(self, limits: &Limits) -> Self {
-        let Limits { states, memory } = *limits;
-        Budget { each: self.each.min(states), all: self.all.min(states), memory }
+        let Limits { states, memory, threads } = *limits;
+        Budget { each: self.each.min(states), all: self.all.min(states), memory, threads }
     }
 
     /// The limits of the next exploration.
     pub(super) fn limits(&self) -> Limits {
-        Limits { states: self.each.min(self.all), memory: self.memory }
+        Limits { states: self.each.min(self.all), memory: self.memory, threads: self.threads }
     }
 
     /// So many states have been explored.

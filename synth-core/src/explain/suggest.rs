@@ -21,7 +21,7 @@ use crate::model::{
     Scenario, Spec, UNSET,
 };
 use crate::pipeline::Solved;
-use crate::playout::{Config, Event, Key};
+use crate::playout::{Event, Key};
 use std::collections::BTreeSet;
 
 /// An assumption with which the specification is realizable.
@@ -287,10 +287,10 @@ impl<'s> Basis<'_, 's> {
         let Explored { playout, store, game } = explored;
         let solution = solve(game);
         let (mut opens, mut ends) = (false, false);
-        let mut config = Config::default();
+        let mut there = Vec::new();
         for state in (0..store.len() as u32).filter(|&state| solution.wins(state)) {
-            store.load(state, &mut config);
-            let copies = || config.copies.iter().map(|&copy| playout.copy(copy));
+            store.copies(state, &mut there);
+            let copies = || there.iter().map(|&copy| playout.copy(copy));
             opens = opens
                 || copies().any(|copy| match self.starved {
                     Some(key) => {

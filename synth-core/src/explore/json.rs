@@ -13,7 +13,8 @@
 use super::{Explored, StateId};
 use crate::game::{Turn, YIELD};
 use crate::model::{Domain, Kind, Spec, Type, UNSET, Value};
-use crate::playout::{Config, Copy, Key, KeyId, bound_name, variables_read};
+use crate::playout::{Copy, CopyId, Key, KeyId, bound_name, variables_read};
+use rustc_hash::FxHashMap;
 use serde_json::{Map, Value as Json, json};
 use std::collections::BTreeSet;
 use std::io::{self, Write};
@@ -52,13 +53,15 @@ struct Cache<'e, 's> {
     explored: &'e Explored<'s>,
     /// The keys that are shown, ascending; outputs refer to them by their position.
     keys: Vec<KeyId>,
-    valuations: Vec<Option<String>>,
+    valuations: FxHashMap<Vec<Value>, String>,
     copies: Vec<Option<String>>,
     /// Per event.
     events: Vec<String>,
     /// Per set of keys.
     sets: Vec<String>,
-    config: Config,
+    /// Of the state at hand.
+    values: Vec<Value>,
+    copies_there: Vec<CopyId>,
 }
 
 impl<'e, 's> Cache<'e, 's> {
@@ -79,11 +82,12 @@ impl<'e, 's> Cache<'e, 's> {
             (0..playout.event_count() as u32).map(|event| json!(playout.event(event).text).to_string());
         Cache {
             explored,
-            valuations: Vec::new(),
+            valuations: FxHashMap::default(),
             copies: Vec::new(),
             events: events.collect(),
             sets: (0..game.key_sets.len() as u32).map(set).collect(),
-            config: Config::default(),
+            values: Vec::new(),
+            copies_there: Vec::new(),
             keys,
         }
     }
@@ -100,13 +104,16 @@ impl<'e, 's> Cache<'e, 's> {
         if matches!(turn, Turn::Lost | Turn::Won) {
             return out.write_all(br#""case":null,"yielded":false,"attributes":{},"copies":[]}"#);
         }
-        store.load(state, &mut self.config);
-        let valuation = remembered(&mut self.valuations, self.config.valuation, || {
-            attributes(&playout.spec().domain, playout.values(self.config.valuation)).to_string()
-        });
-        let (case, yielded) = (turn as u8, self.config.yielded);
+        store.values(playout, state, &mut self.values);
+        if !self.valuations.contains_key(&self.values) {
+            let text = attributes(&playout.spec().domain, &self.values).to_string();
+            self.valuations.insert(self.values.clone(), text);
+        }
+        let valuation = &self.valuations[&self.values];
+        store.copies(state, &mut self.copies_there);
+        let (case, yielded) = (turn as u8, store.yielded(state));
         write!(out, "\"case\":{case},\"yielded\":{yielded},\"attributes\":{valuation},\"copies\":[")?;
-        for (position, &id) in self.config.copies.iter().enumerate() {
+        for (position, &id) in self.copies_there.iter().enumerate() {
             let copy = remembered(&mut self.copies, id, || {
                 describe_copy(playout.spec(), playout.copy(id)).to_string()
             });

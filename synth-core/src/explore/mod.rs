@@ -1,29 +1,48 @@
 //! Exploration: every state that executable events and yields can reach, breadth first, as a [`Game`].
 //!
-//! Nothing is pruned. States are numbered in order of discovery, edges ordered by the events' texts, so the result
+//! Nothing is pruned. States are taken in batches (`batch`), which do not depend on the number of threads. They are numbered in order of discovery, edges ordered by the events' texts, so the result
 //! depends on the specification alone. The losing state (and with classic semantics the won state) come last.
 
+mod batch;
 #[cfg(feature = "json")]
 mod json;
-mod store;
 
+pub use crate::successors::{StateId, StateStore};
 #[cfg(feature = "json")]
 pub use json::write_json;
-pub use store::{StateId, StateStore};
 
 use crate::diagnostic::counted;
 use crate::game::{ActionsBuilder, Game, KeySets, KeySetsBuilder, ShortestPaths, Turn, YIELD};
 use crate::model::{Kind, Spec};
-use crate::playout::{Config, EventId, KeyId, Move, Moves, PlayError, Playout, Semantics};
+use crate::playout::{EventId, KeyId, PlayError, Playout, Semantics};
+use crate::successors::{Learned, PackedMoves, SetId, UNKNOWN_SET, reserve};
+use batch::{Block, Found, Head, LOST, Reader, Target, WON};
 use std::fmt;
+use std::ops::Range;
 
 impl Explored<'_> {
+    /// Bytes held for states: their rows and index, their part of the graph, and what is remembered of steps.
+    #[must_use]
+    pub fn memory_of_states(&self) -> usize {
+        self.store.memory() + self.playout.memory() + self.game.turn.capacity() * PER_STATE
+    }
+
+    /// Bytes held for edges.
+    #[must_use]
+    pub fn memory_of_edges(&self) -> usize {
+        self.game.target.capacity() * PER_EDGE
+    }
+
     /// The text of an edge of the game.
     #[must_use]
     pub fn text(&self, edge: usize) -> &str {
         self.playout.text(event_of(self.game.label(edge)))
     }
 }
+
+/// Bytes of the graph for each state, and for each edge.
+const PER_STATE: usize = 2 * size_of::<u32>() + 2;
+const PER_EDGE: usize = 2 * size_of::<u32>();
 
 /// The event of a label, none for a yield.
 fn event_of(label: u32) -> Option<EventId> {
@@ -37,11 +56,13 @@ pub struct Limits {
     pub states: usize,
     /// Most bytes for states, edges and what was remembered.
     pub memory: usize,
+    /// Most threads; 0 is as many as the machine runs at once. Results do not depend on it.
+    pub threads: usize,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Limits { states: u32::MAX as usize - 2, memory: usize::MAX }
+        Limits { states: u32::MAX as usize - 2, memory: usize::MAX, threads: 0 }
     }
 }
 
@@ -125,26 +146,28 @@ pub fn explore<'s>(
 pub fn explore_with(playout: &mut Playout<'_>, limits: &Limits) -> Result<(StateStore, Game), ExploreError> {
     let initial = playout.initial().map_err(|error| ExploreError::Play(error, Vec::new()))?;
     let mut explorer = Explorer {
+        store: StateStore::new(playout, &initial),
         playout,
-        store: StateStore::default(),
         graph: Graph { first: vec![0], ..Graph::default() },
         sets: KeySetsBuilder::default(),
         actions: ActionsBuilder::default(),
+        set_of: Vec::new(),
+        blocks: Vec::new(),
+        learned: Block::default(),
+        buffers: 0,
     };
-    explorer.store.intern(explorer.playout, &initial);
     explorer.run(limits)?;
     Ok(explorer.finish())
 }
-
-/// Stands for the losing and the won state until all others have their numbers.
-const LOST: u32 = u32::MAX;
-const WON: u32 = u32::MAX - 1;
 
 /// Edges have `u32` offsets; one state adds fewer than the rest.
 const MOST_EDGES: usize = (u32::MAX - (1 << 24)) as usize;
 
 /// Memory is counted once in so many states: counting looks at everything that was remembered.
-const MEMORY_PERIOD: StateId = 256;
+const MEMORY_PERIOD: usize = 256;
+
+/// Most states of a batch.
+const BATCH: usize = 1 << 14;
 
 /// The growing arrays of the game.
 #[derive(Debug, Default)]
@@ -163,46 +186,130 @@ struct Explorer<'p, 's> {
     graph: Graph,
     sets: KeySetsBuilder,
     actions: ActionsBuilder,
+    /// Per set of the successor function: that of the game, if it has one.
+    set_of: Vec<u32>,
+    /// The batch: what the tables gave, and what had to be learned.
+    blocks: Vec<Block>,
+    learned: Block,
+    /// Bytes that these hold.
+    buffers: usize,
 }
+
+/// A mistake in the moves of a state, and the event that met it.
+type Mistake = (StateId, Option<EventId>, PlayError);
 
 impl Explorer<'_, '_> {
     fn run(&mut self, limits: &Limits) -> Result<(), ExploreError> {
-        let mut config = Config::default();
-        let mut moves = Moves::default();
-        let mut open: Vec<KeyId> = Vec::new();
-        let mut state = 0;
-        while (state as usize) < self.store.len() {
-            self.check_size(limits)?;
-            if state % MEMORY_PERIOD == 0 {
-                self.check_memory(limits)?;
-            }
-            self.store.load(state, &mut config);
-            if let Err((event, mistake)) = self.playout.moves(&config, &mut moves) {
+        while self.graph.turn.len() < self.store.len() {
+            let start = self.graph.turn.len();
+            let states = start as StateId..self.store.len().min(start + BATCH) as StateId;
+            let (filled, mistake) = self.find(&states, limits.threads);
+            self.buffers = self.blocks.iter().chain([&self.learned]).map(Block::memory).sum();
+            let blocks = std::mem::take(&mut self.blocks);
+            let merged = self.merge(&blocks[..filled], mistake.as_ref().map(|one| one.0), limits);
+            self.blocks = blocks;
+            merged?;
+            if let Some((state, event, mistake)) = mistake {
+                self.check(limits)?;
                 return Err(ExploreError::Play(mistake, self.play_to(state, event)));
             }
-            open.clear();
-            self.playout.open_keys(&config, &mut open);
-            self.graph.turn.push(moves.turn);
-            self.graph.silent.push(moves.silent);
-            self.graph.open.push(self.sets.intern(&open));
-            for one in &moves.moves {
-                self.edge(one);
-            }
-            self.graph.first.push(self.graph.target.len() as u32);
-            state += 1;
         }
         self.check_memory(limits)
     }
 
-    fn edge(&mut self, one: &Move) {
-        let target = match one.end {
-            None => self.store.intern(self.playout, &one.config),
-            Some(Turn::Won) => WON,
-            Some(_) => LOST,
+    /// Finds the moves of a batch, up to the first mistake; how many blocks have been filled.
+    fn find(&mut self, states: &Range<StateId>, threads: usize) -> (usize, Option<Mistake>) {
+        let mut moves = PackedMoves::default();
+        loop {
+            let filled = batch::fill(&mut self.blocks, &self.store, states.clone(), threads);
+            self.learned.clear();
+            let mut narrow = Vec::new();
+            let mut mistake = None;
+            let heads = self.blocks[..filled].iter().flat_map(Block::heads);
+            for (state, _) in states.clone().zip(heads).filter(|(_, head)| head.missed) {
+                match self.store.learn(self.playout, state, &mut narrow, &mut moves) {
+                    Ok(Learned::Moves) => self.learned.add(&self.store, &moves),
+                    Ok(Learned::Narrow) => {}
+                    Err((event, error)) => {
+                        mistake = Some((state, event, error));
+                        break;
+                    }
+                }
+            }
+            if narrow.is_empty() {
+                return (filled, mistake);
+            }
+            self.store.widen(&narrow);
+        }
+    }
+
+    /// Numbers what was found and adds it to the graph, up to a state.
+    fn merge(&mut self, blocks: &[Block], end: Option<StateId>, limits: &Limits) -> Result<(), ExploreError> {
+        let words = self.store.rows.words();
+        let learned = std::mem::take(&mut self.learned);
+        let mut of_learned = Reader::new(&learned, words);
+        for block in blocks {
+            let mut of_block = Reader::new(block, words);
+            while let Some((head, edges)) = of_block.state() {
+                if end == Some(self.graph.turn.len() as StateId) {
+                    return Ok(());
+                }
+                self.check(limits)?;
+                if head.missed {
+                    if let Some((head, edges)) = of_learned.state() {
+                        self.add(head, edges, &mut of_learned);
+                    }
+                } else {
+                    self.add(head, edges, &mut of_block);
+                }
+            }
+        }
+        self.learned = learned;
+        Ok(())
+    }
+
+    fn add(&mut self, head: Head, edges: &[Found], reader: &mut Reader<'_>) {
+        let open = match head.open {
+            UNKNOWN_SET => {
+                let state = self.graph.turn.len() as StateId;
+                self.store.successors.open_set(self.store.rows.get(state))
+            }
+            open => open,
         };
-        let discharged = self.sets.intern(&one.discharged);
-        self.graph.action.push(self.actions.intern(one.event.unwrap_or(YIELD), discharged));
-        self.graph.target.push(target);
+        let open = self.game_set(open);
+        for edge in edges {
+            let target = match reader.target(edge) {
+                Target::Known(state) => state,
+                Target::New(hash, row) => self.store.rows.intern(hash, row),
+            };
+            let discharged = self.game_set(edge.discharged);
+            let action = self.actions.intern(edge.event, discharged);
+            push(&mut self.graph.action, action);
+            push(&mut self.graph.target, target);
+        }
+        let graph = &mut self.graph;
+        push(&mut graph.turn, head.turn);
+        push(&mut graph.silent, head.silent);
+        push(&mut graph.open, open);
+        push(&mut graph.first, graph.target.len() as u32);
+    }
+
+    /// The set of the game; they are numbered in the order in which they come up.
+    fn game_set(&mut self, set: SetId) -> u32 {
+        let index = set as usize;
+        if index >= self.set_of.len() {
+            self.set_of.resize(index + 1, UNKNOWN_SET);
+        }
+        if self.set_of[index] == UNKNOWN_SET {
+            self.set_of[index] = self.sets.intern(self.store.successors.set(set));
+        }
+        self.set_of[index]
+    }
+
+    /// Whether the next state may be looked at.
+    fn check(&self, limits: &Limits) -> Result<(), ExploreError> {
+        self.check_size(limits)?;
+        if self.graph.turn.len().is_multiple_of(MEMORY_PERIOD) { self.check_memory(limits) } else { Ok(()) }
     }
 
     fn check_size(&self, limits: &Limits) -> Result<(), ExploreError> {
@@ -232,12 +339,12 @@ impl Explorer<'_, '_> {
 
     fn memory(&self) -> usize {
         let graph = &self.graph;
-        let per_edge = 2 * size_of::<u32>();
-        let per_state = 2 * size_of::<u32>() + 2;
         self.store.memory()
             + self.playout.memory()
-            + graph.target.capacity() * per_edge
-            + graph.turn.capacity() * per_state
+            + self.sets.memory()
+            + self.buffers
+            + graph.target.capacity() * PER_EDGE
+            + graph.turn.capacity() * PER_STATE
     }
 
     /// The shortest play to a state, and then the event that met a mistake there.
@@ -249,7 +356,7 @@ impl Explorer<'_, '_> {
     }
 
     fn finish(self) -> (StateStore, Game) {
-        let Explorer { playout, store, graph, sets, actions } = self;
+        let Explorer { playout, store, graph, sets, actions, .. } = self;
         let Graph { mut turn, mut silent, mut open, mut first, action, mut target } = graph;
         for (placeholder, end) in [(LOST, Turn::Lost), (WON, Turn::Won)] {
             if target.contains(&placeholder) {
@@ -284,6 +391,11 @@ impl Explorer<'_, '_> {
         };
         (store, game)
     }
+}
+
+fn push<T>(values: &mut Vec<T>, value: T) {
+    reserve(values, 1);
+    values.push(value);
 }
 
 /// Per key: whether it is open in some state. Others belong to copies that only events that cannot happen lead to.

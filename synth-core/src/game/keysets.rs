@@ -76,6 +76,32 @@ impl KeySetsBuilder {
         set
     }
 
+    /// Number of distinct sets so far.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.sets.len()
+    }
+
+    /// Never: set 0 always exists.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        false
+    }
+
+    /// The members of a set, ascending.
+    #[must_use]
+    pub fn members(&self, set: u32) -> &[u32] {
+        self.sets.members(set)
+    }
+
+    /// Bytes held.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        // The index has a byte of its own beside each id.
+        (self.sets.members.capacity() + self.sets.first.capacity()) * size_of::<u32>()
+            + self.index.capacity() * (size_of::<u32>() + 1)
+    }
+
     /// The finished sets.
     #[must_use]
     pub fn finish(self) -> KeySets {

@@ -1,8 +1,8 @@
 //! Typed expressions and their value in a scope.
 
-use super::domain::{Domain, NULL};
+use super::domain::{Domain, NULL, SlotId};
 use crate::syntax::Span;
-use std::cell::Cell;
+use std::cell::RefCell;
 
 /// A value of any type; see [`super::Type`] for the encoding.
 pub type Value = i64;
@@ -65,22 +65,77 @@ pub enum Failure {
     Overflow(Span),
 }
 
+/// When a value was seen: an event's patterns see the state before its effects, what settles sees the one after.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Moment {
+    /// Before the event's effects.
+    Before,
+    /// After them.
+    After,
+}
+
+/// A record of the attributes that were looked at, in the order of first sight, without those that no effect can
+/// change. A result depends on nothing else of the valuation, and what is looked at next depends only on the values
+/// seen so far.
+#[derive(Clone, Default, Debug)]
+pub struct Reads(RefCell<Vec<(SlotId, Moment)>>);
+
+impl Reads {
+    /// Whether nothing was looked at.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.borrow().is_empty()
+    }
+
+    /// What was looked at.
+    #[must_use]
+    pub fn into_list(self) -> Vec<(SlotId, Moment)> {
+        self.0.into_inner()
+    }
+
+    fn note(&self, slot: SlotId, moment: Moment) {
+        let mut reads = self.0.borrow_mut();
+        if !reads.contains(&(slot, moment)) {
+            reads.push((slot, moment));
+        }
+    }
+}
+
+/// The values of all attributes at one moment.
+#[derive(Clone, Copy, Debug)]
+pub struct Snapshot<'a> {
+    /// By slot.
+    pub values: &'a [Value],
+    /// Which moment this is.
+    pub moment: Moment,
+    /// Where reading is recorded.
+    pub reads: &'a Reads,
+}
+
+impl Snapshot<'_> {
+    /// The value in a slot.
+    #[must_use]
+    pub fn read(&self, domain: &Domain, slot: SlotId) -> Value {
+        if domain.mutable[slot] {
+            self.reads.note(slot, self.moment);
+        }
+        self.values[slot]
+    }
+}
+
 /// What an expression can read.
 #[derive(Clone, Copy, Debug)]
 pub struct Scope<'a> {
     /// For immutable attributes and slot positions.
     pub domain: &'a Domain,
-    /// Attribute values by slot.
-    pub attributes: &'a [Value],
+    /// The attributes' values.
+    pub attributes: Snapshot<'a>,
     /// Role bindings of the copy; [`UNSET`] where unbound.
     pub roles: &'a [Value],
     /// Variables of the copy; [`UNSET`] where unset.
     pub variables: &'a [Value],
     /// Sender, receiver and arguments of the event, in effects.
     pub event: (Value, Value, &'a [Value]),
-    /// Set as soon as an attribute is read that effects can change: a result that did not read one holds in every
-    /// state.
-    pub reads_state: &'a Cell<bool>,
 }
 
 impl Scope<'_> {
@@ -103,10 +158,7 @@ impl Scope<'_> {
                     return Err(Failure::Null(*span));
                 }
                 let slot = self.domain.slot(owner as usize, *attribute);
-                if self.domain.mutable[slot] {
-                    self.reads_state.set(true);
-                }
-                self.attributes[slot]
+                self.attributes.read(self.domain, slot)
             }
             Expr::Not(a) => i64::from(self.eval(a)? == 0),
             Expr::Neg(a, span) => {
@@ -165,11 +217,10 @@ impl Expr {
         });
         let scope = Scope {
             domain: &Domain::default(),
-            attributes: &[],
+            attributes: Snapshot { values: &[], moment: Moment::Before, reads: &Reads::default() },
             roles: &[],
             variables: &[],
             event: (NULL, NULL, &[]),
-            reads_state: &Cell::new(false),
         };
         if reads { None } else { scope.eval(self).ok() }
     }

@@ -11,7 +11,7 @@ pub mod resolve;
 pub use domain::{
     Attribute, Class, ClassId, Domain, Enumeration, Object, ObjectId, Operation, OperationId, SlotId, Type,
 };
-pub use expr::{BinaryOp, Expr, Failure, Scope, UNSET, Value};
+pub use expr::{BinaryOp, Expr, Failure, Moment, Reads, Scope, Snapshot, UNSET, Value};
 pub use scenario::{
     Argument, Case, Constraint, ConstraintKind, Kind, Message, Modality, Node, NodeId, NodeKind, Role,
     RoleRef, Scenario, Variable,

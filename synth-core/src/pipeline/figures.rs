@@ -2,7 +2,6 @@
 
 use super::Solved;
 use crate::explore::Explored;
-use crate::playout::Config;
 
 /// The size of the game; how each is counted is fixed, so that implementations can be compared.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -27,12 +26,7 @@ impl Solved<'_> {
         let Solved { explored: Explored { store, game, .. }, solution, .. } = self;
         let count =
             |counts: &dyn Fn(usize) -> bool| (0..game.states()).filter(|&state| counts(state)).count();
-        let mut config = Config::default();
-        let mut yielded_states = 0;
-        for state in 0..store.len() as u32 {
-            store.load(state, &mut config);
-            yielded_states += usize::from(config.yielded);
-        }
+        let yielded_states = (0..store.len() as u32).filter(|&state| store.yielded(state)).count();
         Figures {
             realizable: solution.wins(game.initial),
             states: game.states(),

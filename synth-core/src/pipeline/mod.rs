@@ -244,7 +244,7 @@ fn merged(explored: &mut Explored<'_>, strategy: &Strategy) -> Result<Controller
         if state as usize >= store.len() {
             return Vec::new();
         }
-        store.load(state, &mut config);
+        store.load(playout, state, &mut config);
         playout.owed(&config)
     })
 }

@@ -46,6 +46,10 @@ impl Copies {
         Copies { identities: Indexed::default(), copies: Vec::new() }
     }
 
+    pub(super) fn len(&self) -> usize {
+        self.copies.len()
+    }
+
     pub(super) fn get(&self, copy: CopyId) -> &Copy {
         &self.copies[copy as usize]
     }

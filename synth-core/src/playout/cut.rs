@@ -6,16 +6,15 @@
 
 use super::{PlayError, play_error};
 use crate::diagnostic::Code;
-use crate::model::{Case, Expr, Node, NodeId, NodeKind, Scenario, Scope, Spec, UNSET, Value};
+use crate::model::{Case, Expr, Node, NodeId, NodeKind, Scenario, Scope, Snapshot, Spec, UNSET, Value};
 use crate::syntax::Span;
-use std::cell::Cell;
 
 /// A copy on its way.
 pub(super) struct Walker<'a> {
     pub(super) spec: &'a Spec,
     pub(super) scenario: &'a Scenario,
     /// After the event's effects.
-    pub(super) attributes: &'a [Value],
+    pub(super) attributes: Snapshot<'a>,
     pub(super) roles: Vec<Value>,
     pub(super) variables: Vec<Value>,
     /// Ascending.
@@ -24,7 +23,6 @@ pub(super) struct Walker<'a> {
     pub(super) passed: Vec<NodeId>,
     /// The first mistake met.
     pub(super) error: Option<PlayError>,
-    pub(super) reads_state: &'a Cell<bool>,
 }
 
 /// How a walk ended.
@@ -55,7 +53,6 @@ impl Walker<'_> {
             roles: &self.roles,
             variables: &self.variables,
             event: (UNSET, UNSET, &[]),
-            reads_state: self.reads_state,
         };
         match scope.eval(expr) {
             Ok(value) => Some(value),

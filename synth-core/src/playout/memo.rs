@@ -2,8 +2,8 @@
 //! valuation.
 
 use super::ValuationId;
+use crate::model::Reads;
 use rustc_hash::FxHashMap;
-use std::cell::Cell;
 use std::hash::Hash;
 
 /// Results by key, and by valuation where they depend on it.
@@ -26,23 +26,17 @@ impl<K, T> Default for Memo<K, T> {
 impl<K: Copy + Eq + Hash, T> Memo<K, T> {
     /// The result for a key in a state with this valuation, computed if it is not known.
     ///
-    /// `compute` sets the flag that it is given if it reads an attribute that can change. Whether it does must depend
-    /// on the key alone or on attributes that were read with the flag set.
-    pub(super) fn get(
-        &mut self,
-        key: K,
-        valuation: ValuationId,
-        compute: impl FnOnce(&Cell<bool>) -> T,
-    ) -> &T {
+    /// `compute` records which attributes it reads.
+    pub(super) fn get(&mut self, key: K, valuation: ValuationId, compute: impl FnOnce(&Reads) -> T) -> &T {
         let known = match self.always.get(&key) {
             Some(&DEPENDS) => self.in_valuation.get(&(key, valuation)).copied(),
             always => always.copied(),
         };
         let id = known.unwrap_or_else(|| {
-            let reads_state = Cell::new(false);
-            self.results.push(compute(&reads_state));
+            let reads = Reads::default();
+            self.results.push(compute(&reads));
             let id = self.results.len() as u32 - 1;
-            if reads_state.get() {
+            if !reads.is_empty() {
                 self.always.insert(key, DEPENDS);
                 self.in_valuation.insert((key, valuation), id);
             } else {

@@ -15,6 +15,7 @@ mod cut;
 mod events;
 mod keys;
 mod memo;
+mod observe;
 mod offers;
 mod pattern;
 mod react;
@@ -32,11 +33,15 @@ pub(crate) use copies::variables_read;
 pub use copies::{Copy, CopyId};
 pub use events::{Event, EventId};
 pub use keys::{Key, KeyId};
+pub(crate) use observe::Sight;
+pub(crate) use offers::Offers;
+pub(crate) use react::Outcome;
 pub use reasons::{Ground, Objection, Reasons, Stake, turn_reason};
 #[cfg(feature = "json")]
 pub(crate) use show::bound_name;
 pub use step::Step;
 pub use transgressions::Transgression;
+pub(crate) use turn::Urgency;
 pub use turn::{Goal, Move, Moves};
 
 use crate::diagnostic::{Code, Diagnostic};
@@ -184,6 +189,16 @@ impl<'s> Playout<'s> {
         self.copies.get(copy)
     }
 
+    /// How many copies were met so far; ids are below it.
+    pub(crate) fn copy_count(&self) -> usize {
+        self.copies.len()
+    }
+
+    /// The valuation with these values, by slot.
+    pub(crate) fn valuation(&mut self, values: &[crate::model::Value]) -> ValuationId {
+        self.valuations.intern(values)
+    }
+
     /// A fairness key by its id.
     #[must_use]
     pub fn key(&self, key: KeyId) -> &Key {
@@ -205,7 +220,12 @@ impl<'s> Playout<'s> {
     /// Appends the keys that are open in `config` to `open`, ascending, without duplicates and those of relaxed
     /// scenarios.
     pub fn open_keys(&self, config: &Config, open: &mut Vec<KeyId>) {
-        for &copy in &config.copies {
+        self.open_of(&config.copies, open);
+    }
+
+    /// Appends the keys that some of these copies have open.
+    pub(crate) fn open_of(&self, copies: &[CopyId], open: &mut Vec<KeyId>) {
+        for &copy in copies {
             open.extend(self.copies.get(copy).obligations.iter().map(|&(_, key)| key));
         }
         open.sort_unstable();

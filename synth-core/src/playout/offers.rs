@@ -9,21 +9,20 @@ use super::pattern::{Matcher, can_hold};
 use super::{PlayError, ValuationId, play_error};
 use crate::diagnostic::Code;
 use crate::model::{
-    Argument, Kind, Message, Modality, NodeKind, ObjectId, OperationId, RoleRef, Scenario, Scope, Spec, Type,
-    UNSET, Value,
+    Argument, Kind, Message, Modality, Moment, NodeKind, ObjectId, OperationId, RoleRef, Scenario, Scope,
+    Snapshot, Spec, Type, UNSET, Value,
 };
-use std::cell::Cell;
 
 /// An event that is asked for, or the mistake of a message whose arguments have no value.
-pub(super) type Wanted = Result<EventId, PlayError>;
+pub(crate) type Wanted = Result<EventId, PlayError>;
 
 /// The offers of one copy.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Offers {
+pub(crate) struct Offers {
     /// Guarantees: what the system is asked to send, and how urgently.
-    pub(super) system: Vec<(Modality, Wanted)>,
+    pub(crate) system: Vec<(Modality, Wanted)>,
     /// Assumptions: what the environment is said to send; `None` for a monitored message.
-    pub(super) environment: Vec<(Option<Modality>, EventId)>,
+    pub(crate) environment: Vec<(Option<Modality>, EventId)>,
 }
 
 /// The offers of copies, as far as anybody asked.
@@ -31,17 +30,18 @@ pub(super) struct Offers {
 pub(super) struct OfferTable(Memo<CopyId, Offers>);
 
 impl OfferTable {
-    /// The offers of a copy under a valuation, whose values are `attributes`.
+    /// The offers of a copy under a valuation, whose values are given.
     pub(super) fn of(
         &mut self,
         spec: &Spec,
         events: &mut Events,
         copies: &Copies,
         copy: CopyId,
-        (valuation, attributes): (ValuationId, &[Value]),
+        (valuation, values): (ValuationId, &[Value]),
     ) -> &Offers {
-        self.0
-            .get(copy, valuation, |reads_state| collect(spec, events, copies, copy, attributes, reads_state))
+        self.0.get(copy, valuation, |reads| {
+            collect(spec, events, copies, copy, Snapshot { values, moment: Moment::Before, reads })
+        })
     }
 
     /// Bytes held, about.
@@ -50,13 +50,12 @@ impl OfferTable {
     }
 }
 
-fn collect(
+pub(super) fn collect(
     spec: &Spec,
     events: &mut Events,
     copies: &Copies,
     id: CopyId,
-    attributes: &[Value],
-    reads_state: &Cell<bool>,
+    attributes: Snapshot<'_>,
 ) -> Offers {
     let copy = copies.get(id);
     let scenario = &spec.scenarios[copy.scenario];
@@ -66,7 +65,6 @@ fn collect(
         roles: &copy.roles,
         variables: &copy.variables,
         event: (UNSET, UNSET, &[]),
-        reads_state,
     };
     let mut offers = Offers::default();
     for &node in &copy.cut {
@@ -109,7 +107,6 @@ fn matching(
             scenario,
             roles: scope.roles,
             variables: scope.variables,
-            reads_state: scope.reads_state,
         };
         // An argument without a value is reported when its event happens; until then it asks for none.
         matcher.is_message(message).unwrap_or(false)
@@ -167,10 +164,7 @@ fn is_linked(
     operation: OperationId,
 ) -> bool {
     links(spec, sender, receiver, operation).is_none_or(|links| {
-        links.iter().any(|&slot| {
-            scope.reads_state.set(scope.reads_state.get() || spec.domain.mutable[slot]);
-            scope.attributes[slot] == receiver as Value
-        })
+        links.iter().any(|&slot| scope.attributes.read(&spec.domain, slot) == receiver as Value)
     })
 }
 

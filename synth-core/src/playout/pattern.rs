@@ -3,21 +3,19 @@
 use super::events::Event;
 use super::{PlayError, play_error};
 use crate::model::{
-    Argument, Constraint, ConstraintKind, Failure, Message, NodeId, NodeKind, RoleRef, Scenario, Scope, Spec,
-    Type, UNSET, Value,
+    Argument, Constraint, ConstraintKind, Failure, Message, NodeId, NodeKind, RoleRef, Scenario, Scope,
+    Snapshot, Spec, Type, UNSET, Value,
 };
-use std::cell::Cell;
 
 /// One event and one copy, or one that is about to start.
 pub(super) struct Matcher<'a> {
     pub(super) spec: &'a Spec,
     pub(super) event: &'a Event,
     /// Attributes before the event.
-    pub(super) attributes: &'a [Value],
+    pub(super) attributes: Snapshot<'a>,
     pub(super) scenario: &'a Scenario,
     pub(super) roles: &'a [Value],
     pub(super) variables: &'a [Value],
-    pub(super) reads_state: &'a Cell<bool>,
 }
 
 impl Matcher<'_> {
@@ -28,7 +26,6 @@ impl Matcher<'_> {
             roles: self.roles,
             variables: self.variables,
             event: (UNSET, UNSET, &[]),
-            reads_state: self.reads_state,
         }
     }
 

@@ -8,32 +8,34 @@ use super::memo::Memo;
 use super::pattern::Matcher;
 use super::reasons::{Breach, Ground};
 use super::{PlayError, ValuationId};
-use crate::model::{Argument, ConstraintKind, Kind, NodeId, NodeKind, RoleRef, Scenario, Spec, UNSET, Value};
-use std::cell::Cell;
+use crate::model::{
+    Argument, ConstraintKind, Kind, Moment, NodeId, NodeKind, Reads, RoleRef, Scenario, Snapshot, Spec,
+    UNSET, Value,
+};
 
 /// What becomes of a copy, or what an event starts.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Outcome {
+pub(crate) struct Outcome {
     /// The copies afterwards: for a reaction one or none.
-    pub(super) copies: Vec<CopyId>,
+    pub(crate) copies: Vec<CopyId>,
     /// What the event itself violates or gets wrong.
-    pub(super) at_once: Consequence,
+    pub(crate) at_once: Consequence,
     /// What only shows while copies settle after the effects. It means nothing if an earlier stage of the step went
     /// wrong.
-    pub(super) in_settling: Consequence,
+    pub(crate) in_settling: Consequence,
     /// Keys that the copy had and met, ascending.
-    pub(super) discharged: Vec<KeyId>,
+    pub(crate) discharged: Vec<KeyId>,
     /// A copy of an existential scenario came to its end.
-    pub(super) completed: bool,
+    pub(crate) completed: bool,
 }
 
 /// Violations and mistakes of one stage.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Consequence {
+pub(crate) struct Consequence {
     /// How scenarios are violated: for a reaction in one way or none.
-    pub(super) breaches: Vec<Breach>,
+    pub(crate) breaches: Vec<Breach>,
     /// The first mistake met.
-    pub(super) error: Option<PlayError>,
+    pub(crate) error: Option<PlayError>,
 }
 
 impl Consequence {
@@ -70,10 +72,24 @@ impl<'a> Occasion<'a> {
         scenario: &'a Scenario,
         roles: &'a [Value],
         variables: &'a [Value],
-        reads_state: &'a Cell<bool>,
+        reads: &'a Reads,
     ) -> Matcher<'a> {
-        let Occasion { spec, event, before, .. } = *self;
-        Matcher { spec, event, attributes: before, scenario, roles, variables, reads_state }
+        Matcher {
+            spec: self.spec,
+            event: self.event,
+            attributes: self.before(reads),
+            scenario,
+            roles,
+            variables,
+        }
+    }
+
+    fn before(&self, reads: &'a Reads) -> Snapshot<'a> {
+        Snapshot { values: self.before, moment: Moment::Before, reads }
+    }
+
+    fn after(&self, reads: &'a Reads) -> Snapshot<'a> {
+        Snapshot { values: self.after, moment: Moment::After, reads }
     }
 }
 
@@ -86,8 +102,8 @@ impl Reactions {
         copy: CopyId,
         occasion: &Occasion<'_>,
     ) -> &Outcome {
-        self.reacted.get((copy, occasion.id), occasion.valuation, |reads_state| {
-            reaction(copies, keys, copy, occasion, reads_state)
+        self.reacted.get((copy, occasion.id), occasion.valuation, |reads| {
+            reaction(copies, keys, copy, occasion, reads)
         })
     }
 
@@ -98,13 +114,7 @@ impl Reactions {
         keys: &mut Keys,
         occasion: &Occasion<'_>,
     ) -> &Outcome {
-        self.started.get(occasion.id, occasion.valuation, |reads_state| {
-            let mut outcome = Outcome::default();
-            for scenario in 0..occasion.spec.scenarios.len() {
-                start(copies, keys, scenario, occasion, reads_state, &mut outcome);
-            }
-            outcome
-        })
+        self.started.get(occasion.id, occasion.valuation, |reads| starts(copies, keys, occasion, reads))
     }
 
     /// Bytes held, about.
@@ -127,19 +137,19 @@ enum Reaction {
     Violates(Ground),
 }
 
-fn reaction(
+pub(super) fn reaction(
     copies: &mut Copies,
     keys: &mut Keys,
     id: CopyId,
     occasion: &Occasion<'_>,
-    reads_state: &Cell<bool>,
+    reads: &Reads,
 ) -> Outcome {
     let copy = copies.get(id);
     let scenario = &occasion.spec.scenarios[copy.scenario];
     let mut outcome = Outcome::default();
-    let matcher = occasion.matcher(scenario, &copy.roles, &copy.variables, reads_state);
+    let matcher = occasion.matcher(scenario, &copy.roles, &copy.variables, reads);
     let reaction = first_row(&matcher, &copy.cut, &mut outcome.at_once.error);
-    let mut walker = walker(occasion, scenario, reads_state, copy.roles.to_vec(), copy.variables.to_vec());
+    let mut walker = walker(occasion, scenario, reads, copy.roles.to_vec(), copy.variables.to_vec());
     walker.cut = copy.cut.to_vec();
     let rest = match reaction {
         Reaction::Ends | Reaction::Violates(_) => Rest::Ended,
@@ -206,20 +216,19 @@ fn out_of_order(scenario: &Scenario, cut: &[NodeId]) -> Reaction {
 fn walker<'a>(
     occasion: &'a Occasion<'a>,
     scenario: &'a Scenario,
-    reads_state: &'a Cell<bool>,
+    reads: &'a Reads,
     roles: Vec<Value>,
     variables: Vec<Value>,
 ) -> Walker<'a> {
     Walker {
         spec: occasion.spec,
         scenario,
-        attributes: occasion.after,
+        attributes: occasion.after(reads),
         roles,
         variables,
         cut: Vec::new(),
         passed: Vec::new(),
         error: None,
-        reads_state,
     }
 }
 
@@ -266,13 +275,27 @@ fn conclude(
     }
 }
 
+/// What the event starts in all scenarios.
+pub(super) fn starts(
+    copies: &mut Copies,
+    keys: &mut Keys,
+    occasion: &Occasion<'_>,
+    reads: &Reads,
+) -> Outcome {
+    let mut outcome = Outcome::default();
+    for scenario in 0..occasion.spec.scenarios.len() {
+        start(copies, keys, scenario, occasion, reads, &mut outcome);
+    }
+    outcome
+}
+
 /// Starts a copy of the scenario if one of its initial messages is the event; the textually first one counts.
 fn start(
     copies: &mut Copies,
     keys: &mut Keys,
     index: usize,
     occasion: &Occasion<'_>,
-    reads_state: &Cell<bool>,
+    reads: &Reads,
     outcome: &mut Outcome,
 ) {
     let scenario = &occasion.spec.scenarios[index];
@@ -284,18 +307,17 @@ fn start(
         // The cheap test first: most scenarios have nothing to do with most events.
         let Some(message) = scenario.message(node).filter(|m| m.operation == operation) else { continue };
         let roles = vec![UNSET; scenario.roles.len()];
-        if !occasion.matcher(scenario, &roles, &[], reads_state).ends(message) {
+        if !occasion.matcher(scenario, &roles, &[], reads).ends(message) {
             continue;
         }
-        let mut walker =
-            walker(occasion, scenario, reads_state, roles, vec![UNSET; scenario.variables.len()]);
+        let mut walker = walker(occasion, scenario, reads, roles, vec![UNSET; scenario.variables.len()]);
         // Conditions, declarations and arguments in front of the message see the state before the effects.
-        walker.attributes = occasion.before;
+        walker.attributes = occasion.before(reads);
         if !declare_in_front(&mut walker, node) {
             outcome.at_once.note(walker.error);
             continue;
         }
-        let matcher = occasion.matcher(scenario, &walker.roles, &walker.variables, reads_state);
+        let matcher = occasion.matcher(scenario, &walker.roles, &walker.variables, reads);
         match matcher.is_message(message) {
             Ok(true) => {}
             Ok(false) => continue,
@@ -305,7 +327,7 @@ fn start(
             }
         }
         bind(&mut walker, node, occasion.event);
-        walker.attributes = occasion.after;
+        walker.attributes = occasion.after(reads);
         let starts = bind_roles(&mut walker);
         outcome.at_once.note(walker.error.take());
         if starts {

@@ -8,9 +8,8 @@ use super::events::EventId;
 use super::pattern::Matcher;
 use super::{Config, Playout};
 use crate::game::Turn;
-use crate::model::{Kind, NodeKind};
+use crate::model::{Kind, Moment, NodeKind, Reads, Snapshot};
 use crate::syntax::Span;
-use std::cell::Cell;
 
 /// What makes a step violate a scenario, with its place.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -45,9 +44,9 @@ impl Ground {
 
 /// A scenario that is violated.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Breach {
-    pub(super) scenario: usize,
-    pub(super) ground: Ground,
+pub(crate) struct Breach {
+    pub(crate) scenario: usize,
+    pub(crate) ground: Ground,
 }
 
 /// A copy that an event would violate.
@@ -117,11 +116,14 @@ impl Playout<'_> {
         let matcher = Matcher {
             spec: self.spec,
             event,
-            attributes: self.valuations.get(config.valuation),
+            attributes: Snapshot {
+                values: self.valuations.get(config.valuation),
+                moment: Moment::Before,
+                reads: &Reads::default(),
+            },
             scenario,
             roles: &copy.roles,
             variables: &copy.variables,
-            reads_state: &Cell::new(false),
         };
         for &node in &copy.cut {
             let node = &scenario.nodes[usize::from(node)];

@@ -27,7 +27,7 @@ impl Playout<'_> {
     }
 
     /// Drops the keys of relaxed scenarios.
-    pub(super) fn retain_counted(&self, keys: &mut Vec<KeyId>) {
+    pub(crate) fn retain_counted(&self, keys: &mut Vec<KeyId>) {
         if !self.relaxed.is_clear() {
             keys.retain(|&key| !self.relaxed.contains(self.keys.get(key).scenario));
         }

@@ -8,8 +8,10 @@ use super::react::{Consequence, Occasion, Outcome, bind_roles, plays};
 use super::reasons::{Breach, Objection};
 use super::{Config, PlayError, Playout, ValuationId, play_error};
 use crate::diagnostic::Code;
-use crate::model::{Effect, Endpoint, Kind, Scope, Spec, UNSET, Value};
-use std::cell::Cell;
+use crate::model::{
+    Effect, EffectAssignment, Endpoint, Failure, Kind, Moment, Reads, Scope, SlotId, Snapshot, Spec, UNSET,
+    Value,
+};
 
 /// What a step leads to. Reused from step to step to save allocations.
 #[derive(Clone, Debug, Default)]
@@ -70,17 +72,20 @@ impl Playout<'_> {
             if !plays(scenario, index, self.followed) || !scenario.initial.is_empty() {
                 continue;
             }
-            let reads_state = Cell::new(false);
+            let reads = Reads::default();
             let mut walker = Walker {
                 spec: self.spec,
                 scenario,
-                attributes: &self.spec.domain.initial,
+                attributes: Snapshot {
+                    values: &self.spec.domain.initial,
+                    moment: Moment::After,
+                    reads: &reads,
+                },
                 roles: vec![UNSET; scenario.roles.len()],
                 variables: vec![UNSET; scenario.variables.len()],
                 cut: Vec::new(),
                 passed: Vec::new(),
                 error: None,
-                reads_state: &reads_state,
             };
             let is_bound = bind_roles(&mut walker);
             let rest = if is_bound && walker.enter(0) { walker.settle() } else { Rest::Ended };
@@ -190,27 +195,48 @@ impl Playout<'_> {
 
     /// The valuation after the event's effects: those that match in textual order, then the implicit `setX`.
     fn effects(&mut self, valuation: ValuationId, event: EventId) -> (ValuationId, Option<PlayError>) {
-        let spec = self.spec;
         let event = self.events.get(event);
-        let setter = spec.domain.operations[event.operation].sets;
-        let mut matching = spec.effects.iter().filter(|effect| applies(spec, effect, event)).peekable();
-        if matching.peek().is_none() && setter.is_none() {
+        if !has_effects(self.spec, event) {
             return (valuation, None);
         }
         let mut values = self.valuations.get(valuation).to_vec();
-        let mut mistake = None;
-        for effect in matching {
-            for assignment in &effect.assignments {
-                let result = assign(spec, event, assignment, &mut values);
-                mistake = mistake.or(result.err());
-            }
-        }
-        if let Some(attribute) = setter {
-            // The parameter has the attribute's type, so the value fits.
-            values[spec.domain.slot(event.receiver, attribute)] = event.arguments[0];
-        }
+        let mistake = apply_effects(self.spec, event, &mut values, &Reads::default(), &mut Vec::new());
         (self.valuations.intern(&values), mistake)
     }
+}
+
+/// Whether an event assigns anything.
+pub(super) fn has_effects(spec: &Spec, event: &Event) -> bool {
+    spec.domain.operations[event.operation].sets.is_some()
+        || spec.effects.iter().any(|effect| applies(spec, effect, event))
+}
+
+/// Runs the effects that match in textual order, then the implicit `setX`, and appends the slots that they assign. Every
+/// read counts as one of the state before, also where an assignment went before it: what was assigned follows from
+/// that state, too.
+pub(super) fn apply_effects(
+    spec: &Spec,
+    event: &Event,
+    values: &mut [Value],
+    reads: &Reads,
+    assigned: &mut Vec<SlotId>,
+) -> Option<PlayError> {
+    let mut mistake = None;
+    for effect in spec.effects.iter().filter(|effect| applies(spec, effect, event)) {
+        for assignment in &effect.assignments {
+            match assign(spec, event, assignment, values, reads) {
+                Ok(slot) => assigned.push(slot),
+                Err(error) => mistake = mistake.or(Some(error)),
+            }
+        }
+    }
+    if let Some(attribute) = spec.domain.operations[event.operation].sets {
+        // The parameter has the attribute's type, so the value fits.
+        let slot = spec.domain.slot(event.receiver, attribute);
+        values[slot] = event.arguments[0];
+        assigned.push(slot);
+    }
+    mistake
 }
 
 fn applies(spec: &Spec, effect: &Effect, event: &Event) -> bool {
@@ -226,23 +252,22 @@ fn applies(spec: &Spec, effect: &Effect, event: &Event) -> bool {
 fn assign(
     spec: &Spec,
     event: &Event,
-    assignment: &crate::model::EffectAssignment,
+    assignment: &EffectAssignment,
     values: &mut [Value],
-) -> Result<(), PlayError> {
-    let reads_state = Cell::new(false);
+    reads: &Reads,
+) -> Result<SlotId, PlayError> {
     let scope = Scope {
         domain: &spec.domain,
-        attributes: values,
+        attributes: Snapshot { values, moment: Moment::Before, reads },
         roles: &[],
         variables: &[],
         event: (event.sender as Value, event.receiver as Value, &event.arguments),
-        reads_state: &reads_state,
     };
     let eval = |expr| scope.eval(expr).map_err(|failure| play_error(failure, assignment.span));
     let owner = eval(&assignment.owner)?;
     let value = eval(&assignment.value)?;
     let Ok(owner) = usize::try_from(owner) else {
-        return Err(play_error(crate::model::Failure::Null(assignment.span), assignment.span));
+        return Err(play_error(Failure::Null(assignment.span), assignment.span));
     };
     if !spec.domain.fits(value, assignment.ty) {
         let class = &spec.domain.classes[assignment.owner_class];
@@ -257,6 +282,7 @@ fn assign(
             ),
         });
     }
-    values[spec.domain.slot(owner, assignment.attribute)] = value;
-    Ok(())
+    let slot = spec.domain.slot(owner, assignment.attribute);
+    values[slot] = value;
+    Ok(slot)
 }

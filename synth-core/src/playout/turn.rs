@@ -51,7 +51,7 @@ impl Default for Moves {
 
 /// How urgently an event is asked for.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(super) enum Urgency {
+pub(crate) enum Urgency {
     Committed,
     Urgent,
     Eventually,

@@ -25,7 +25,7 @@ pub(super) fn breaches(explored: &mut Explored<'_>) -> Vec<Diagnostic> {
     let (mut config, mut breaches) = (Config::default(), Vec::new());
     for state in 0..explored.store.len() as u32 {
         let Explored { playout, store, game } = &mut *explored;
-        store.load(state, &mut config);
+        store.load(playout, state, &mut config);
         let target = |edge: usize| game.turn[game.target[edge] as usize];
         let is_fine = |event: EventId| {
             game.edges_of(state).any(|edge| game.label(edge) == event && target(edge) != Turn::Won)

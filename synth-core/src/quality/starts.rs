@@ -5,7 +5,7 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::explore::Explored;
 use crate::game::YIELD;
 use crate::model::{Argument, EventRef, Kind, Message, NodeKind, ObjectId, RoleRef, Scenario, Spec};
-use crate::playout::{Config, Event};
+use crate::playout::Event;
 use fixedbitset::FixedBitSet;
 
 /// The assumptions and guarantees of which no play has a copy.
@@ -23,13 +23,13 @@ pub(super) fn never(explored: &Explored<'_>) -> Vec<Diagnostic> {
     unstarted.retain(|&index| {
         !happens.ones().any(|event| could_start(spec, &spec.scenarios[index], playout.event(event as u32)))
     });
-    let mut config = Config::default();
+    let mut copies = Vec::new();
     for state in 0..store.len() as u32 {
         if unstarted.is_empty() {
             break;
         }
-        store.load(state, &mut config);
-        for &copy in &config.copies {
+        store.copies(state, &mut copies);
+        for &copy in &copies {
             unstarted.retain(|&index| index != playout.copy(copy).scenario);
         }
     }

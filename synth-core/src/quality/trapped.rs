@@ -83,7 +83,7 @@ fn blocked(explored: &mut Explored<'_>, state: u32) -> Vec<String> {
         return Vec::new();
     }
     let mut config = Config::default();
-    store.load(state, &mut config);
+    store.load(playout, state, &mut config);
     let mut step = Step::default();
     let mut blocked = Vec::new();
     for event in playout.owed(&config) {

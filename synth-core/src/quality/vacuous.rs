@@ -5,7 +5,7 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::explore::Explored;
 use crate::game::{Strategy, YIELD};
 use crate::model::{ConstraintKind, Kind, NodeKind, Scenario};
-use crate::playout::{Config, Copy};
+use crate::playout::Copy;
 use fixedbitset::FixedBitSet;
 
 /// The guarantees that start in some play of the specification, but are not exercised in any play of the strategy:
@@ -54,7 +54,7 @@ fn exercise(explored: &Explored<'_>, strategy: &Strategy, open: &mut Vec<usize>)
     let mut started = FixedBitSet::with_capacity(spec.scenarios.len());
     let mut seen_states = FixedBitSet::with_capacity(store.len());
     let mut seen_copies = FixedBitSet::new();
-    let mut config = Config::default();
+    let mut copies = Vec::new();
     for &state in &strategy.state {
         if open.is_empty() {
             break;
@@ -62,8 +62,8 @@ fn exercise(explored: &Explored<'_>, strategy: &Strategy, open: &mut Vec<usize>)
         if state as usize >= store.len() || seen_states.put(state as usize) {
             continue;
         }
-        store.load(state, &mut config);
-        for &id in &config.copies {
+        store.copies(state, &mut copies);
+        for &id in &copies {
             seen_copies.grow(id as usize + 1);
             if seen_copies.put(id as usize) {
                 continue;

@@ -2,8 +2,9 @@
 
 use super::reads::{Place, attributes, has_effect, patterns, players};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::model::{ClassId, Expr, Kind, Message, NodeKind, Scenario, Scope, Spec, UNSET};
-use std::cell::Cell;
+use crate::model::{
+    ClassId, Expr, Kind, Message, Moment, NodeKind, Reads, Scenario, Scope, Snapshot, Spec, UNSET,
+};
 
 /// The waits of assumptions over what only the system changes, or nothing at all.
 pub(super) fn hopeless(spec: &Spec) -> Vec<Diagnostic> {
@@ -53,11 +54,14 @@ fn hopelessness(spec: &Spec, condition: &Expr, is_constant: bool) -> Option<&'st
     condition.walk(&mut |part| reads_copy |= matches!(part, Expr::Variable(_) | Expr::Role(_)));
     let scope = Scope {
         domain: &spec.domain,
-        attributes: &spec.domain.initial,
+        attributes: Snapshot {
+            values: &spec.domain.initial,
+            moment: Moment::Before,
+            reads: &Reads::default(),
+        },
         roles: &[],
         variables: &[],
         event: unset,
-        reads_state: &Cell::new(false),
     };
     (!reads_copy && scope.eval(condition) == Ok(0)).then_some("this is false and never changes")
 }

@@ -1,8 +1,9 @@
 //! The last word on a controller: its product with the specification, explored from scratch.
 //!
 //! Whatever solver, extraction, super steps and minimisation did, a controller is emitted only if this stage finds
-//! nothing. It shares the language with them (parsing, and `step` of play-out, which a naive interpreter checks in
-//! the tests), but no exploration, graph, solver or minimiser.
+//! nothing. It shares the language with them (parsing, play-out and the packed form of its moves, `successors`, both of
+//! which a naive interpreter checks in the tests), but no exploration, graph, solver or minimiser, and no table that these
+//! have filled.
 //!
 //! A node of the product is a state of the specification, a state of the controller, and how far a super step has
 //! come. `shape` asks whether it is a controller at all. `product` looks for what must never happen: an event of the environment that the controller refuses or
@@ -10,6 +11,7 @@
 //! for a cycle on which every assumption is kept and some guarantee starves.
 
 mod fairness;
+mod machine;
 mod product;
 mod shape;
 

@@ -1,72 +1,43 @@
 //! The product of controller and specification, breadth first.
 
+use super::machine::Machine;
 use super::{Refutation, VerifyError};
 use crate::controller::{Controller, SuperStep};
-use crate::game::Turn;
+use crate::game::{Turn, YIELD};
 use crate::intern::Indexed;
 use crate::model::{Kind, Spec};
-use crate::playout::{Config, EventId, KeyId, Move, Moves, PlayError, Playout, Semantics};
-use rustc_hash::FxHashMap;
+use crate::playout::{EventId, KeyId, PlayError, Playout, Semantics};
+use crate::successors::{Edge, PackedMoves, SetId, StateId, StateStore, reserve};
 
 /// A node: a state of the specification, one of the controller, and the next event of its due super step.
-#[derive(Clone, PartialEq, Eq, Hash, Debug)]
-pub(super) struct Node {
-    config: Config,
-    state: u32,
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+struct Node {
+    state: StateId,
+    control: u32,
     position: u32,
-}
-
-/// An edge of the product.
-#[derive(Clone, Debug)]
-pub(super) struct Edge {
-    pub(super) target: u32,
-    /// `None` is a yield.
-    event: Option<EventId>,
-    /// Keys that it discharges, ascending.
-    pub(super) discharged: Box<[KeyId]>,
 }
 
 /// The product so far. Node 0 is the initial one.
 pub(super) struct Product<'a> {
     playout: Playout<'a>,
+    store: StateStore,
     nodes: Indexed<Node>,
-    /// Per node: the edge on a shortest play into it.
-    parent: Vec<Option<(u32, Option<EventId>)>>,
-    /// Per explored node.
-    pub(super) edges: Vec<Vec<Edge>>,
-    /// Per explored node: its open keys, ascending.
-    pub(super) open: Vec<Box<[KeyId]>>,
+    /// Per node: the one before it on a shortest play into it, and the event or [`YIELD`]. Nothing of the kind for node 0.
+    parent: Vec<(u32, EventId)>,
+    /// Per explored node: the keys that are open.
+    pub(super) open: Vec<SetId>,
     /// Per explored node: the environment has the turn.
     pub(super) environment: Vec<bool>,
     /// Per explored node: the environment may stay silent.
     pub(super) silent: Vec<bool>,
-}
-
-/// The controller, made ready for look-ups.
-struct Machine<'a> {
-    controller: &'a Controller,
-    rows: FxHashMap<(&'a str, u32), u32>,
-    /// Per state: the first event that it accepts.
-    accepted: Vec<Option<&'a str>>,
-    due: Vec<Option<&'a SuperStep>>,
-}
-
-impl<'a> Machine<'a> {
-    fn new(controller: &'a Controller) -> Self {
-        let mut rows = FxHashMap::default();
-        let mut accepted = vec![None; controller.states as usize];
-        for (event, mapping) in controller.events.iter().zip(&controller.environment) {
-            for &(source, target) in mapping {
-                rows.insert((event.text.as_str(), source), target);
-                accepted[source as usize].get_or_insert(event.text.as_str());
-            }
-        }
-        let mut due = vec![None; controller.states as usize];
-        for step in &controller.super_steps {
-            due[step.source as usize] = Some(step);
-        }
-        Machine { controller, rows, accepted, due }
-    }
+    /// Offsets into the edges, one more than there are explored nodes.
+    first: Vec<u32>,
+    /// Per edge: where it leads.
+    pub(super) target: Vec<u32>,
+    /// Per edge: its event or [`YIELD`].
+    event: Vec<EventId>,
+    /// Per edge: the keys that it discharges.
+    pub(super) discharged: Vec<SetId>,
 }
 
 impl<'a> Product<'a> {
@@ -81,38 +52,42 @@ impl<'a> Product<'a> {
         let mut playout = Playout::new(spec, semantics).map_err(unplayed)?;
         let config = playout.initial().map_err(unplayed)?;
         let mut product = Product {
+            store: StateStore::new(&playout, &config),
             playout,
             nodes: Indexed::default(),
             parent: Vec::new(),
-            edges: Vec::new(),
             open: Vec::new(),
             environment: Vec::new(),
             silent: Vec::new(),
+            first: vec![0],
+            target: Vec::new(),
+            event: Vec::new(),
+            discharged: Vec::new(),
         };
-        let machine = Machine::new(controller);
-        product.intern(Node { config, state: controller.initial, position: 0 }, None);
-        let mut moves = Moves::default();
+        let mut machine = Machine::new(controller);
+        product.intern(Node { state: 0, control: controller.initial, position: 0 }, (0, YIELD));
+        let mut moves = PackedMoves::default();
         for id in 0.. {
             if id as usize >= product.nodes.len() {
                 break;
             }
-            if product.nodes.len() > most_nodes {
+            // Edges have `u32` offsets, too; one node adds fewer than the rest.
+            if product.nodes.len() > most_nodes || product.target.len() > u32::MAX as usize - (1 << 24) {
                 return Err(VerifyError::TooLarge(most_nodes));
             }
-            let node = product.nodes.get(id).clone();
-            if let Err((event, mistake)) = product.playout.moves(&node.config, &mut moves) {
+            let node = *product.nodes.get(id);
+            if let Err((event, mistake)) = product.store.moves(&mut product.playout, node.state, &mut moves) {
                 return Err(product.broken(id, event, mistake));
             }
-            let mut open = Vec::new();
-            product.playout.open_keys(&node.config, &mut open);
-            product.open.push(open.into());
-            product.environment.push(moves.turn.is_environment());
-            product.silent.push(moves.silent);
-            product.edges.push(Vec::new());
-            match machine.due[node.state as usize] {
-                Some(step) => product.command(id, &node, step, &machine, &moves)?,
-                None => product.rest(id, &node, &machine, &moves)?,
+            machine.keep_up(&product.playout);
+            push(&mut product.open, moves.open);
+            push(&mut product.environment, moves.turn.is_environment());
+            push(&mut product.silent, moves.silent);
+            match machine.due(node.control) {
+                Some(step) => product.command(id, node, step, &machine, &moves)?,
+                None => product.rest(id, node, &machine, &moves)?,
             }
+            push(&mut product.first, product.target.len() as u32);
         }
         // Last, because what the play itself shows says more.
         check_components(spec, controller)?;
@@ -127,35 +102,29 @@ impl<'a> Product<'a> {
     fn command(
         &mut self,
         id: u32,
-        node: &Node,
+        node: Node,
         step: &SuperStep,
         machine: &Machine<'_>,
-        moves: &Moves,
+        moves: &PackedMoves,
     ) -> Result<(), VerifyError> {
-        if let (0, Some(event)) = (node.position, machine.accepted[node.state as usize]) {
+        if let (0, Some(event)) = (node.position, machine.accepted(node.control)) {
             let reason = format!("the controller accepts `{event}` while its super step is due");
             return Err(self.refuted(id, None, reason));
         }
-        let text = &machine.controller.commands[step.events[node.position as usize] as usize].text;
+        let command = step.events[node.position as usize];
+        let text = machine.command_text(command);
         if !moves.turn.is_system() {
-            return Err(self.refuted(
-                id,
-                None,
-                format!("the controller sends `{text}` in the environment's turn"),
-            ));
+            let reason = format!("the controller sends `{text}` in the environment's turn");
+            return Err(self.refuted(id, None, reason));
         }
-        let sent =
-            moves.moves.iter().find(|one| one.event.is_some_and(|e| self.playout.event(e).text == *text));
+        let sent = moves.edges().iter().find(|edge| machine.is_command(edge.event, command));
         let Some(sent) = sent else {
-            return Err(self.refuted(
-                id,
-                None,
-                format!("the controller sends `{text}`, which is not allowed here"),
-            ));
+            let reason = format!("the controller sends `{text}`, which is not allowed here");
+            return Err(self.refuted(id, None, reason));
         };
         let last = node.position as usize + 1 == step.events.len();
-        let (state, position) = if last { (step.target, 0) } else { (node.state, node.position + 1) };
-        self.follow(id, sent, state, position);
+        let (control, position) = if last { (step.target, 0) } else { (node.control, node.position + 1) };
+        self.follow(id, moves, sent, control, position);
         Ok(())
     }
 
@@ -163,14 +132,14 @@ impl<'a> Product<'a> {
     fn rest(
         &mut self,
         id: u32,
-        node: &Node,
+        node: Node,
         machine: &Machine<'_>,
-        moves: &Moves,
+        moves: &PackedMoves,
     ) -> Result<(), VerifyError> {
         match moves.turn {
             Turn::SystemEventually => {
-                if let Some(pass) = moves.moves.iter().find(|one| one.event.is_none()) {
-                    self.follow(id, pass, node.state, 0);
+                if let Some(pass) = moves.edges().iter().find(|edge| edge.event == YIELD) {
+                    self.follow(id, moves, pass, node.control, 0);
                 }
             }
             Turn::SystemCommitted | Turn::SystemUrgent => {
@@ -178,18 +147,17 @@ impl<'a> Product<'a> {
                 return Err(self.refuted(id, None, reason.to_owned()));
             }
             _ => {
-                for one in &moves.moves {
-                    let Some(event) = one.event else { continue };
-                    if one.end == Some(Turn::Lost) {
+                for edge in moves.edges() {
+                    if edge.end == Some(Turn::Lost) {
                         let reason = "the environment violates a guarantee";
-                        return Err(self.refuted(id, Some(event), reason.to_owned()));
+                        return Err(self.refuted(id, Some(edge.event), reason.to_owned()));
                     }
-                    let text = self.playout.event(event).text.as_str();
-                    match machine.rows.get(&(text, node.state)) {
-                        Some(&target) => self.follow(id, one, target, 0),
+                    match machine.target(node.control, edge.event) {
+                        Some(control) => self.follow(id, moves, edge, control, 0),
                         None => {
+                            let text = &self.playout.event(edge.event).text;
                             let reason = format!("the controller does not accept `{text}`");
-                            return Err(self.refuted(id, Some(event), reason));
+                            return Err(self.refuted(id, Some(edge.event), reason));
                         }
                     }
                 }
@@ -198,49 +166,66 @@ impl<'a> Product<'a> {
         Ok(())
     }
 
-    fn follow(&mut self, id: u32, one: &Move, state: u32, position: u32) {
+    fn follow(&mut self, id: u32, moves: &PackedMoves, edge: &Edge, control: u32, position: u32) {
         // A move that wins the game at once (classic semantics) leads nowhere.
-        if one.end.is_none() {
-            let node = Node { config: one.config.clone(), state, position };
-            let target = self.intern(node, Some((id, one.event)));
-            let discharged = one.discharged.as_slice().into();
-            self.edges[id as usize].push(Edge { target, event: one.event, discharged });
+        if edge.end.is_none() {
+            let state = self.store.intern(moves.target(edge));
+            let target = self.intern(Node { state, control, position }, (id, edge.event));
+            push(&mut self.target, target);
+            push(&mut self.event, edge.event);
+            push(&mut self.discharged, edge.discharged);
         }
     }
 
-    fn intern(&mut self, node: Node, parent: Option<(u32, Option<EventId>)>) -> u32 {
+    fn intern(&mut self, node: Node, parent: (u32, EventId)) -> u32 {
         let (id, new) = self.nodes.intern(node);
         if new {
-            self.parent.push(parent);
+            push(&mut self.parent, parent);
         }
         id
+    }
+
+    /// The edges that leave a node.
+    pub(super) fn edges_of(&self, node: u32) -> std::ops::Range<u32> {
+        self.first[node as usize]..self.first[node as usize + 1]
+    }
+
+    /// Per set of keys: whether this one is in it.
+    pub(super) fn containing(&self, key: KeyId) -> Vec<bool> {
+        (0..self.store.sets()).map(|set| self.store.keys(set).binary_search(&key).is_ok()).collect()
     }
 
     /// Texts of a shortest play into a node.
     pub(super) fn play(&self, id: u32) -> Vec<String> {
         let mut play = Vec::new();
         let mut here = id;
-        while let Some((parent, event)) = self.parent[here as usize] {
-            play.push(self.playout.text(event).to_owned());
+        while here != 0 {
+            let (parent, event) = self.parent[here as usize];
+            play.push(self.text(event));
             here = parent;
         }
         play.reverse();
         play
     }
 
-    pub(super) fn edge_text(&self, edge: &Edge) -> String {
-        self.playout.text(edge.event).to_owned()
+    /// The text of an edge.
+    pub(super) fn edge_text(&self, edge: u32) -> String {
+        self.text(self.event[edge as usize])
+    }
+
+    fn text(&self, event: EventId) -> String {
+        self.playout.text((event != YIELD).then_some(event)).to_owned()
     }
 
     fn refuted(&self, id: u32, last: Option<EventId>, reason: String) -> VerifyError {
         let mut play = self.play(id);
-        play.extend(last.map(|event| self.playout.text(Some(event)).to_owned()));
+        play.extend(last.map(|event| self.text(event)));
         VerifyError::Refuted(Refutation { reason, play, cycle: Vec::new() })
     }
 
     fn broken(&self, id: u32, event: Option<EventId>, mistake: PlayError) -> VerifyError {
         let mut play = self.play(id);
-        play.extend(event.map(|event| self.playout.text(Some(event)).to_owned()));
+        play.extend(event.map(|event| self.text(event)));
         VerifyError::Play(mistake, play)
     }
 
@@ -249,8 +234,20 @@ impl<'a> Product<'a> {
         self.playout.spec().scenarios[self.playout.key(key).scenario].kind == Kind::Assumption
     }
 
-    pub(super) fn key_count(&self) -> usize {
-        self.playout.key_count()
+    /// The keys that are open in some node, ascending.
+    pub(super) fn open_keys(&self) -> Vec<KeyId> {
+        let mut used = vec![false; self.store.sets() as usize];
+        self.open.iter().for_each(|&set| used[set as usize] = true);
+        let used = (0..self.store.sets()).filter(|&set| used[set as usize]);
+        let mut keys: Vec<KeyId> = Vec::new();
+        let mut seen = vec![false; self.playout.key_count()];
+        for &key in used.flat_map(|set| self.store.keys(set)) {
+            if !std::mem::replace(&mut seen[key as usize], true) {
+                keys.push(key);
+            }
+        }
+        keys.sort_unstable();
+        keys
     }
 
     /// The name of the scenario that a key belongs to.
@@ -259,6 +256,10 @@ impl<'a> Product<'a> {
     }
 }
 
+fn push<T>(values: &mut Vec<T>, value: T) {
+    reserve(values, 1);
+    values.push(value);
+}
 /// Every command of a super step must have a code at the component that receives it.
 fn check_components(spec: &Spec, controller: &Controller) -> Result<(), VerifyError> {
     let is_controllable = |name: &str| {

@@ -20,9 +20,8 @@ pub(super) fn fault(controller: &Controller) -> Option<String> {
         .or_else(|| (environment.len() != events.len()).then(|| "an event has no table".to_owned()))
         .or_else(|| {
             events.iter().zip(environment).find_map(|(event, rows)| {
-                let out = rows
-                    .iter()
-                    .find_map(|row| below(row.0.max(row.1), &format!("a state of `{}`", event.text)));
+                let outside = rows.iter().map(|row| row.0.max(row.1)).find(|state| state >= states);
+                let out = outside.and_then(|state| below(state, &format!("a state of `{}`", event.text)));
                 let sources =
                     || ascending(rows.iter().map(|row| row.0), &format!("the table of `{}`", event.text));
                 out.or_else(sources)

@@ -1,0 +1,132 @@
+//! Where the fields of a packed row lie.
+
+/// One field of a row; it never crosses a word.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Field {
+    word: u32,
+    shift: u32,
+    /// As many ones as the field has bits; none if it has only ever held 0.
+    mask: u64,
+}
+
+impl Field {
+    #[inline]
+    pub(super) fn read(self, row: &[u64]) -> u32 {
+        (row[self.word as usize] >> self.shift & self.mask) as u32
+    }
+
+    /// Writes a value that fits.
+    #[inline]
+    pub(super) fn write(self, row: &mut [u64], value: u32) {
+        debug_assert!(self.fits(value));
+        let word = &mut row[self.word as usize];
+        *word = *word & !(self.mask << self.shift) | u64::from(value) << self.shift;
+    }
+
+    pub(super) fn fits(self, value: u32) -> bool {
+        u64::from(value) <= self.mask
+    }
+
+    fn width(self) -> u32 {
+        self.mask.count_ones()
+    }
+}
+
+/// All fields, first come first served. A field is as wide as the values need that it has held so far.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Layout {
+    fields: Vec<Field>,
+    words: usize,
+}
+
+impl Layout {
+    /// Fields of no bits.
+    pub(super) fn new(fields: usize) -> Self {
+        Layout { fields: vec![Field::default(); fields], words: 1 }
+    }
+
+    #[inline]
+    pub(super) fn field(&self, field: usize) -> Field {
+        self.fields[field]
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.fields.len()
+    }
+
+    /// Adds a field of no bits.
+    pub(super) fn push(&mut self) {
+        self.fields.push(Field::default());
+    }
+
+    /// Words of a row.
+    pub(crate) fn words(&self) -> usize {
+        self.words
+    }
+
+    /// Bits that carry information in a row.
+    pub(crate) fn bits(&self) -> u32 {
+        self.fields.iter().map(|field| field.width()).sum()
+    }
+
+    /// The layout in which these fields hold these values, too.
+    pub(super) fn widened(&self, values: &[(u32, u32)]) -> Layout {
+        let mut widths: Vec<u32> = self.fields.iter().map(|field| field.width()).collect();
+        for &(field, value) in values {
+            let width = &mut widths[field as usize];
+            *width = (*width).max(u32::BITS - value.leading_zeros());
+        }
+        let (mut word, mut shift) = (0, 0);
+        let mut fields = Vec::with_capacity(widths.len());
+        for width in widths {
+            if shift + width > u64::BITS {
+                (word, shift) = (word + 1, 0);
+            }
+            // A field of no bits must not be shifted out of its word.
+            let place = if width == 0 { 0 } else { shift };
+            fields.push(Field { word, shift: place, mask: (1 << width) - 1 });
+            shift += width;
+        }
+        Layout { fields, words: word as usize + 1 }
+    }
+
+    /// Writes a row of another layout, which may have fewer fields and narrower ones, into a cleared one of this.
+    pub(crate) fn convert(&self, from: &Layout, old: &[u64], row: &mut [u64]) {
+        for (field, to) in from.fields.iter().zip(&self.fields) {
+            to.write(row, field.read(old));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fields_do_not_disturb_each_other() {
+        let wide = Layout::new(5).widened(&[(0, 1), (2, u32::MAX), (3, u32::MAX), (4, 6)]);
+        assert_eq!((wide.words(), wide.bits()), (2, 68));
+        let mut row = [0; 2];
+        let values = [1, 0, 0xdead_beef, 0x1234_5678, 5];
+        for (field, &value) in values.iter().enumerate() {
+            wide.field(field).write(&mut row, u32::MAX >> (32 - wide.field(field).width().max(1)) & value);
+            wide.field(field).write(&mut row, value);
+        }
+        assert_eq!([0, 1, 2, 3, 4].map(|field| wide.field(field).read(&row)), values);
+    }
+
+    #[test]
+    fn widening_keeps_values() {
+        let narrow = Layout::new(2).widened(&[(0, 3), (1, 1)]);
+        let mut old = [0; 1];
+        narrow.field(0).write(&mut old, 2);
+        narrow.field(1).write(&mut old, 1);
+        let mut wide = narrow.clone();
+        wide.push();
+        let wide = wide.widened(&[(0, 200), (2, 9)]);
+        let mut row = [0; 1];
+        wide.convert(&narrow, &old, &mut row);
+        assert_eq!([0, 1, 2].map(|field| wide.field(field).read(&row)), [2, 1, 0]);
+        assert!(wide.field(0).fits(255) && !wide.field(0).fits(256));
+    }
+}

@@ -1,0 +1,145 @@
+//! The states found so far, packed to bits, with the function that finds their successors.
+
+use super::{Learned, PackedMoves, PackedRows, SetId, Successors, UNKNOWN_SET, hash_row, learn};
+use crate::model::Value;
+use crate::playout::{Config, CopyId, EventId, KeyId, PlayError, Playout};
+
+/// Index of a state, in order of discovery.
+pub type StateId = u32;
+
+/// All states found so far. When a field of their rows becomes too narrow, all of them are packed anew, which happens
+/// about as often as there are bits in a row.
+#[derive(Debug)]
+pub struct StateStore {
+    pub(crate) successors: Successors,
+    pub(crate) rows: PackedRows,
+}
+
+impl StateStore {
+    /// Holds one state, with id 0.
+    #[must_use]
+    pub fn new(playout: &Playout<'_>, initial: &Config) -> Self {
+        let mut successors = Successors::new(playout);
+        let row = successors.pack_first(playout, initial);
+        let mut rows = PackedRows::new(row.len());
+        rows.intern(hash_row(&row), &row);
+        StateStore { successors, rows }
+    }
+
+    /// Number of states; ids are below it.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Never: there is an initial state.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Bytes held.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        self.rows.memory() + self.successors.memory()
+    }
+
+    /// Bits that carry information in a row.
+    #[must_use]
+    pub fn bits(&self) -> u32 {
+        self.successors.layout().bits()
+    }
+
+    /// Unpacks a state that was found in this play-out.
+    pub fn load(&self, playout: &mut Playout<'_>, state: StateId, config: &mut Config) {
+        self.successors.load(playout, self.rows.get(state), &mut Vec::new(), config);
+    }
+
+    /// Whether the system has yielded since the last event.
+    #[must_use]
+    pub fn yielded(&self, state: StateId) -> bool {
+        self.successors.yielded(self.rows.get(state))
+    }
+
+    /// The copies of a state, ascending, into a cleared list.
+    pub fn copies(&self, state: StateId, copies: &mut Vec<CopyId>) {
+        copies.clear();
+        self.successors.copies(self.rows.get(state), copies);
+    }
+
+    /// The values of all attributes in a state, by slot, into a cleared list.
+    pub fn values(&self, playout: &Playout<'_>, state: StateId, values: &mut Vec<Value>) {
+        self.successors.values(playout, self.rows.get(state), values);
+    }
+
+    /// Finds the moves of a state.
+    ///
+    /// # Errors
+    /// Those of [`Playout::moves`].
+    pub fn moves(
+        &mut self,
+        playout: &mut Playout<'_>,
+        state: StateId,
+        out: &mut PackedMoves,
+    ) -> Result<(), (Option<EventId>, PlayError)> {
+        let mut narrow = Vec::new();
+        while self.successors.moves(self.rows.get(state), out).is_err() {
+            if self.learn(playout, state, &mut narrow, out)? == Learned::Moves {
+                break;
+            }
+            self.widen(&narrow);
+            narrow.clear();
+        }
+        if out.open == UNKNOWN_SET {
+            out.open = self.successors.open_set(self.rows.get(state));
+        }
+        Ok(())
+    }
+
+    /// How many sets of fairness keys were met so far; ids are below it.
+    #[must_use]
+    pub fn sets(&self) -> SetId {
+        self.successors.sets.len()
+    }
+
+    /// The fairness keys of a set that moves name, ascending.
+    #[must_use]
+    pub fn keys(&self, set: SetId) -> &[KeyId] {
+        self.successors.set(set)
+    }
+
+    /// Finds the moves of a state and keeps what they follow from, unless rows have no room for `narrow`.
+    ///
+    /// # Errors
+    /// Those of [`Playout::moves`].
+    pub(crate) fn learn(
+        &mut self,
+        playout: &mut Playout<'_>,
+        state: StateId,
+        narrow: &mut Vec<(u32, u32)>,
+        out: &mut PackedMoves,
+    ) -> Result<Learned, (Option<EventId>, PlayError)> {
+        learn(&mut self.successors, playout, self.rows.get(state), narrow, out)
+    }
+
+    /// The id of a state that a move leads to, new or not.
+    pub fn intern(&mut self, row: &[u64]) -> StateId {
+        self.rows.intern(hash_row(row), row)
+    }
+
+    /// Packs all rows anew, with room for these values of fields.
+    pub(crate) fn widen(&mut self, narrow: &[(u32, u32)]) {
+        let old = self.successors.layout().clone();
+        let layout = self.successors.widened(narrow);
+        let mut rows = PackedRows::new(layout.words());
+        let mut row = Vec::new();
+        for state in 0..self.len() as StateId {
+            row.clear();
+            row.resize(layout.words(), 0);
+            layout.convert(&old, self.rows.get(state), &mut row);
+            rows.intern(hash_row(&row), &row);
+        }
+        self.rows = rows;
+        self.successors.set_layout(layout);
+    }
+}

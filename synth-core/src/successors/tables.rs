@@ -1,0 +1,372 @@
+//! Everything that is known of the specification's steps, by small numbers.
+
+use super::groups::{GroupId, Groups};
+use super::layout::Layout;
+use super::sets::{SetId, Sets};
+use super::trees::{NOTHING, Node, Trees, UNKNOWN};
+use crate::intern::Indexed;
+use crate::model::{Kind, SlotId, Value};
+use crate::playout::{Config, CopyId, EventId, KeyId, Playout};
+
+/// The field that says whether the system has yielded since the last event.
+pub(super) const YIELDED: usize = 0;
+
+/// The field of the first attribute.
+const FIRST_ATTRIBUTE: usize = 1;
+
+/// An attribute that effects can change.
+#[derive(Debug)]
+pub(super) struct Attribute {
+    pub(super) slot: SlotId,
+    /// The values that it had so far, in order of discovery; the field holds their numbers. The initial one is 0.
+    pub(super) values: Indexed<Value>,
+}
+
+/// What an event does to a group of copies, or what it starts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Reaction {
+    /// What it violates.
+    pub(super) flags: u8,
+    /// The slot's value afterwards; nothing for a start.
+    pub(super) value: u32,
+    /// The keys that it discharges.
+    pub(super) discharged: SetId,
+    /// The copies that come to other slots, or to this one in other ways: a range of `joins`.
+    pub(super) joins: (u32, u32),
+}
+
+/// Bits of [`Reaction::flags`].
+pub(super) mod flag {
+    /// A guarantee that counts is violated.
+    pub(in crate::successors) const GUARANTEE: u8 = 1;
+    /// An assumption that counts is violated.
+    pub(in crate::successors) const ASSUMPTION: u8 = 2;
+    /// A relaxed guarantee is violated.
+    pub(in crate::successors) const EXCUSED_GUARANTEE: u8 = 4;
+    /// A relaxed assumption is violated.
+    pub(in crate::successors) const EXCUSED_ASSUMPTION: u8 = 8;
+    /// A copy of the scenario that is followed comes to its end.
+    pub(in crate::successors) const COMPLETED: u8 = 16;
+}
+
+/// In what order wishes are looked at.
+pub(super) mod class {
+    pub(in crate::successors) const SYSTEM_COMMITTED: u8 = 0;
+    pub(in crate::successors) const ENVIRONMENT_COMMITTED: u8 = 1;
+    pub(in crate::successors) const SYSTEM_URGENT: u8 = 2;
+    pub(in crate::successors) const ENVIRONMENT_URGENT: u8 = 3;
+    pub(in crate::successors) const SYSTEM_EVENTUALLY: u8 = 4;
+    /// Assumptions that say that an event comes some time, or only may come.
+    pub(in crate::successors) const ENVIRONMENT: u8 = 5;
+}
+
+/// An event that a group asks for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Wish {
+    pub(super) class: u8,
+    /// A relaxed guarantee asks.
+    pub(super) relaxed: bool,
+    pub(super) event: EventId,
+}
+
+/// What is known of one event.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct EventEntry {
+    /// Whether it has a link: a leaf other than [`NOTHING`] means that it has none.
+    pub(super) link: Node,
+    /// A leaf is an index into `effects`.
+    pub(super) effects: Node,
+    /// A leaf is an index into `reactions`.
+    pub(super) starts: Node,
+    /// Its place in the order of texts.
+    pub(super) rank: u32,
+}
+
+/// Where a tree's root is kept.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Place {
+    Link(EventId),
+    Effects(EventId),
+    Starts(EventId),
+    Reaction(GroupId, EventId),
+    Offers(GroupId),
+}
+
+/// The successor function's tables.
+#[derive(Debug)]
+pub(crate) struct Successors {
+    pub(super) classic: bool,
+    pub(super) layout: Layout,
+    pub(super) trees: Trees,
+    pub(super) groups: Groups,
+    pub(super) sets: Sets,
+    pub(super) attributes: Vec<Attribute>,
+    /// Per slot of the domain: the field, if effects can change it.
+    pub(super) field_of: Vec<Option<u32>>,
+    pub(super) events: Vec<EventEntry>,
+    /// Events by the order of their texts.
+    pub(super) by_rank: Vec<EventId>,
+    /// Events of the environment that need no assumption to cause them, ascending.
+    pub(super) spontaneous: Vec<EventId>,
+    /// Roots by group and event, `stride` a group.
+    reacted: Vec<Node>,
+    stride: usize,
+    /// Per group: the root of what it asks for; a leaf is an index into `offers`.
+    offered: Vec<Node>,
+    /// Per group: the keys that are open.
+    pub(super) open: Vec<SetId>,
+    /// What leaves stand for. The first of each kind stands for nothing.
+    pub(super) reactions: Vec<Reaction>,
+    pub(super) joins: Vec<CopyId>,
+    pub(super) effects: Vec<(u32, u32)>,
+    /// Fields and their values.
+    pub(super) assignments: Vec<(u32, u32)>,
+    pub(super) offers: Vec<(u32, u32)>,
+    pub(super) wishes: Vec<Wish>,
+}
+
+/// The elements of a range.
+pub(super) fn part<T>(all: &[T], (start, end): (u32, u32)) -> &[T] {
+    &all[start as usize..end as usize]
+}
+
+impl Successors {
+    /// Knows nothing yet. The tables serve the play-out as it is now: they are void if other scenarios are relaxed.
+    pub(crate) fn new(playout: &Playout<'_>) -> Self {
+        let domain = &playout.spec().domain;
+        let mut attributes = Vec::new();
+        let mut field_of = vec![None; domain.initial.len()];
+        for slot in (0..domain.initial.len()).filter(|&slot| domain.mutable[slot]) {
+            field_of[slot] = Some((FIRST_ATTRIBUTE + attributes.len()) as u32);
+            let mut values = Indexed::default();
+            values.intern(domain.initial[slot]);
+            attributes.push(Attribute { slot, values });
+        }
+        let layout = Layout::new(FIRST_ATTRIBUTE + attributes.len()).widened(&[(YIELDED as u32, 1)]);
+        let nothing = Reaction { flags: 0, value: 0, discharged: 0, joins: (0, 0) };
+        let mut successors = Successors {
+            classic: playout.semantics().classic,
+            layout,
+            trees: Trees::default(),
+            groups: Groups::default(),
+            sets: Sets::default(),
+            attributes,
+            field_of,
+            events: Vec::new(),
+            by_rank: Vec::new(),
+            spontaneous: Vec::new(),
+            reacted: Vec::new(),
+            stride: 0,
+            offered: Vec::new(),
+            open: Vec::new(),
+            reactions: vec![nothing],
+            joins: Vec::new(),
+            effects: vec![(0, 0)],
+            assignments: Vec::new(),
+            offers: vec![(0, 0)],
+            wishes: Vec::new(),
+        };
+        successors.keep_up(playout);
+        successors
+    }
+
+    /// Takes note of events, copies and groups that are new.
+    pub(super) fn keep_up(&mut self, playout: &Playout<'_>) {
+        for copy in self.groups.copies()..playout.copy_count() {
+            self.groups.add_copy(playout.copy(copy as CopyId));
+        }
+        while self.layout.len() < self.first_slot() + self.groups.slots() {
+            self.layout.push();
+        }
+        if self.events.len() < playout.event_count() {
+            self.add_events(playout);
+        }
+        let stride = if self.stride < self.events.len() { self.events.len() * 5 / 4 } else { self.stride };
+        if stride != self.stride {
+            let mut reacted = Vec::with_capacity(self.groups.len() * stride);
+            for row in self.reacted.chunks(self.stride.max(1)) {
+                reacted.extend_from_slice(row);
+                reacted.resize(reacted.len() + stride - row.len(), UNKNOWN);
+            }
+            (self.reacted, self.stride) = (reacted, stride);
+        }
+        self.reacted.resize(self.groups.len() * self.stride, UNKNOWN);
+        self.offered.resize(self.groups.len(), UNKNOWN);
+        let mut keys: Vec<KeyId> = Vec::new();
+        for group in self.open.len()..self.groups.len() {
+            keys.clear();
+            playout.open_of(&self.groups.get(group as GroupId).copies, &mut keys);
+            self.open.push(self.sets.intern(&keys));
+        }
+    }
+
+    fn add_events(&mut self, playout: &Playout<'_>) {
+        for event in self.events.len()..playout.event_count() {
+            let event = event as EventId;
+            let known = |known: bool| if known { NOTHING } else { UNKNOWN };
+            self.events.push(EventEntry {
+                link: known(!playout.needs_link(event)),
+                effects: known(!playout.assigns(event)),
+                starts: UNKNOWN,
+                rank: 0,
+            });
+            if playout.event(event).spontaneous && playout.is_foreseen(event) {
+                self.spontaneous.push(event);
+            }
+            self.by_rank.push(event);
+        }
+        self.by_rank.sort_by(|&a, &b| playout.event(a).text.cmp(&playout.event(b).text));
+        for (rank, &event) in self.by_rank.iter().enumerate() {
+            self.events[event as usize].rank = rank as u32;
+        }
+    }
+
+    pub(super) fn first_slot(&self) -> usize {
+        FIRST_ATTRIBUTE + self.attributes.len()
+    }
+
+    #[inline(always)]
+    pub(super) fn root(&self, place: Place) -> Node {
+        match place {
+            Place::Link(event) => self.events[event as usize].link,
+            Place::Effects(event) => self.events[event as usize].effects,
+            Place::Starts(event) => self.events[event as usize].starts,
+            Place::Reaction(group, event) => self.reacted[group as usize * self.stride + event as usize],
+            Place::Offers(group) => self.offered[group as usize],
+        }
+    }
+
+    pub(super) fn root_mut(&mut self, place: Place) -> &mut Node {
+        match place {
+            Place::Link(event) => &mut self.events[event as usize].link,
+            Place::Effects(event) => &mut self.events[event as usize].effects,
+            Place::Starts(event) => &mut self.events[event as usize].starts,
+            Place::Reaction(group, event) => &mut self.reacted[group as usize * self.stride + event as usize],
+            Place::Offers(group) => &mut self.offered[group as usize],
+        }
+    }
+
+    /// Where fields lie.
+    pub(crate) fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    /// The layout with room for these values of fields.
+    pub(crate) fn widened(&self, narrow: &[(u32, u32)]) -> Layout {
+        self.layout.widened(narrow)
+    }
+
+    /// From now on fields lie as this says.
+    pub(crate) fn set_layout(&mut self, layout: Layout) {
+        self.layout = layout;
+    }
+
+    /// The keys of a set, ascending.
+    pub(crate) fn set(&self, set: SetId) -> &[KeyId] {
+        self.sets.members(set)
+    }
+
+    /// The keys that are open in a state.
+    pub(crate) fn open_set(&mut self, row: &[u64]) -> SetId {
+        (0..self.groups.slots()).fold(0, |open, slot| match self.slot(row, slot) {
+            0 => open,
+            value => self.sets.unite(open, self.open[self.groups.at(slot, value) as usize]),
+        })
+    }
+
+    fn slot(&self, row: &[u64], slot: usize) -> u32 {
+        self.layout.field(self.first_slot() + slot).read(row)
+    }
+
+    /// Whether the system has yielded since the last event.
+    pub(crate) fn yielded(&self, row: &[u64]) -> bool {
+        self.layout.field(YIELDED).read(row) != 0
+    }
+
+    /// Appends the copies of a state, ascending.
+    pub(crate) fn copies(&self, row: &[u64], copies: &mut Vec<CopyId>) {
+        for slot in 0..self.groups.slots() {
+            let value = self.slot(row, slot);
+            if value != 0 {
+                copies.extend_from_slice(&self.groups.get(self.groups.at(slot, value)).copies);
+            }
+        }
+        copies.sort_unstable();
+    }
+
+    /// The values of all attributes in a state, by slot.
+    pub(crate) fn values(&self, playout: &Playout<'_>, row: &[u64], values: &mut Vec<Value>) {
+        values.clear();
+        values.extend_from_slice(&playout.spec().domain.initial);
+        for (index, attribute) in self.attributes.iter().enumerate() {
+            let value = self.layout.field(FIRST_ATTRIBUTE + index).read(row);
+            values[attribute.slot] = *attribute.values.get(value);
+        }
+    }
+
+    /// Unpacks a state.
+    pub(crate) fn load(
+        &self,
+        playout: &mut Playout<'_>,
+        row: &[u64],
+        scratch: &mut Vec<Value>,
+        config: &mut Config,
+    ) {
+        self.values(playout, row, scratch);
+        config.valuation = playout.valuation(scratch);
+        config.yielded = self.yielded(row);
+        config.copies.clear();
+        self.copies(row, &mut config.copies);
+    }
+
+    /// The fields' values of a state that are not 0.
+    pub(super) fn take_apart(&mut self, playout: &Playout<'_>, config: &Config) -> Vec<(u32, u32)> {
+        let mut fields = vec![(YIELDED as u32, u32::from(config.yielded))];
+        let values = playout.values(config.valuation);
+        for (index, attribute) in self.attributes.iter_mut().enumerate() {
+            let (value, _) = attribute.values.intern(values[attribute.slot]);
+            fields.push(((FIRST_ATTRIBUTE + index) as u32, value));
+        }
+        self.keep_up(playout);
+        let mut by_slot: Vec<(u32, CopyId)> =
+            config.copies.iter().map(|&copy| (self.groups.slot_of(copy), copy)).collect();
+        by_slot.sort_unstable();
+        for one in by_slot.chunk_by(|a, b| a.0 == b.0) {
+            let copies: Vec<CopyId> = one.iter().map(|&(_, copy)| copy).collect();
+            let value = self.groups.value(one[0].0, &copies);
+            fields.push((self.first_slot() as u32 + one[0].0, value));
+        }
+        self.keep_up(playout);
+        fields.retain(|&(_, value)| value != 0);
+        fields
+    }
+
+    /// The number of a value of an attribute, new or not.
+    pub(super) fn number(&mut self, field: u32, value: Value) -> u32 {
+        self.attributes[field as usize - FIRST_ATTRIBUTE].values.intern(value).0
+    }
+
+    /// The [`flag`] that a violation raises.
+    pub(super) fn violation(playout: &Playout<'_>, scenario: usize) -> u8 {
+        match (playout.spec().scenarios[scenario].kind, playout.is_relaxed(scenario)) {
+            (Kind::Guarantee, false) => flag::GUARANTEE,
+            (Kind::Guarantee, true) => flag::EXCUSED_GUARANTEE,
+            (Kind::Assumption, false) => flag::ASSUMPTION,
+            (Kind::Assumption, true) => flag::EXCUSED_ASSUMPTION,
+            (Kind::Existential, _) => 0,
+        }
+    }
+
+    /// Bytes held, about.
+    pub(crate) fn memory(&self) -> usize {
+        self.trees.memory()
+            + self.groups.memory()
+            + self.sets.memory()
+            + (self.reacted.capacity() + self.offered.capacity() + self.open.capacity()) * size_of::<u32>()
+            + self.reactions.capacity() * size_of::<Reaction>()
+            + (self.effects.capacity() + self.assignments.capacity() + self.offers.capacity())
+                * size_of::<(u32, u32)>()
+            + self.wishes.capacity() * size_of::<Wish>()
+            + self.joins.capacity() * size_of::<CopyId>()
+    }
+}

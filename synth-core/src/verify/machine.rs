@@ -1,0 +1,95 @@
+//! The controller, made ready for look-ups by what play-out calls its events.
+
+use crate::controller::{Controller, SuperStep};
+use crate::playout::{EventId, Playout};
+use rustc_hash::FxHashMap;
+
+/// Stands for an event that the controller does not know.
+const NONE: u32 = u32::MAX;
+
+/// The controller by states.
+pub(super) struct Machine<'a> {
+    controller: &'a Controller,
+    /// Offsets into `rows`, one more than there are states.
+    first: Vec<u32>,
+    /// Per state, ascending by event: the event's index and the target.
+    rows: Vec<(u32, u32)>,
+    /// Per state: its super step, or [`NONE`].
+    due: Vec<u32>,
+    events: FxHashMap<&'a str, u32>,
+    commands: FxHashMap<&'a str, u32>,
+    /// Per event of play-out: its index among the controller's events and commands.
+    letters: Vec<(u32, u32)>,
+}
+
+impl<'a> Machine<'a> {
+    pub(super) fn new(controller: &'a Controller) -> Self {
+        let states = controller.states as usize;
+        let mut first = vec![0; states + 1];
+        for &(source, _) in controller.environment.iter().flatten() {
+            first[source as usize + 1] += 1;
+        }
+        for state in 0..states {
+            first[state + 1] += first[state];
+        }
+        let mut next = first.clone();
+        let mut rows = vec![(NONE, NONE); first[states] as usize];
+        for (event, mapping) in controller.environment.iter().enumerate() {
+            for &(source, target) in mapping {
+                let place = &mut next[source as usize];
+                rows[*place as usize] = (event as u32, target);
+                *place += 1;
+            }
+        }
+        let mut due = vec![NONE; states];
+        for (index, step) in controller.super_steps.iter().enumerate() {
+            due[step.source as usize] = index as u32;
+        }
+        let by_text = |events: &'a [crate::controller::Event]| {
+            events.iter().enumerate().map(|(index, event)| (event.text.as_str(), index as u32)).collect()
+        };
+        let (events, commands) = (by_text(&controller.events), by_text(&controller.commands));
+        Machine { controller, first, rows, due, events, commands, letters: Vec::new() }
+    }
+
+    /// Takes note of events that play-out has met since.
+    pub(super) fn keep_up(&mut self, playout: &Playout<'_>) {
+        for event in self.letters.len()..playout.event_count() {
+            let text = playout.event(event as EventId).text.as_str();
+            let find = |by_text: &FxHashMap<&str, u32>| by_text.get(text).copied().unwrap_or(NONE);
+            self.letters.push((find(&self.events), find(&self.commands)));
+        }
+    }
+
+    /// The super step that is due in a state.
+    pub(super) fn due(&self, state: u32) -> Option<&'a SuperStep> {
+        self.controller.super_steps.get(self.due[state as usize] as usize)
+    }
+
+    fn rows_of(&self, state: u32) -> &[(u32, u32)] {
+        &self.rows[self.first[state as usize] as usize..self.first[state as usize + 1] as usize]
+    }
+
+    /// The text of the first event that a state accepts.
+    pub(super) fn accepted(&self, state: u32) -> Option<&'a str> {
+        let &(event, _) = self.rows_of(state).first()?;
+        Some(&self.controller.events[event as usize].text)
+    }
+
+    /// The state behind an event of play-out, if the controller accepts it.
+    pub(super) fn target(&self, state: u32, event: EventId) -> Option<u32> {
+        let (wanted, _) = *self.letters.get(event as usize)?;
+        let rows = self.rows_of(state);
+        let row = rows.binary_search_by_key(&wanted, |&(event, _)| event).ok()?;
+        Some(rows[row].1)
+    }
+
+    pub(super) fn command_text(&self, command: u32) -> &'a str {
+        &self.controller.commands[command as usize].text
+    }
+
+    /// Whether an event of play-out is this command.
+    pub(super) fn is_command(&self, event: EventId, command: u32) -> bool {
+        self.letters.get(event as usize).is_some_and(|&(_, letter)| letter == command)
+    }
+}
