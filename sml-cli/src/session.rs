@@ -7,6 +7,7 @@ use crate::{input, output};
 use std::io::IsTerminal;
 use std::path::Path;
 use std::time::Duration;
+use synth_core::controller::tables::Provenance;
 use synth_core::controller::{Controller, Level};
 use synth_core::diagnostic::{Code, Diagnostic, counted};
 use synth_core::existential::{Existential, existential};
@@ -14,11 +15,11 @@ use synth_core::explain::{Explanation, explain};
 use synth_core::explore::{Explored, explore};
 use synth_core::model::Spec;
 use synth_core::pipeline::{self, Options, Solved, Timings, Verified};
-use synth_core::plant::pipeline::Supervised;
+use synth_core::plant::pipeline::{Followed, Supervised};
 use synth_core::plant::{self, ClosedLoop, Plant};
 use synth_core::playout::Semantics;
 use synth_core::quality::{self, Policy};
-use synth_core::syntax::{Loaded, decode, shown};
+use synth_core::syntax::{Loaded, Sources};
 
 /// Options and clock.
 pub(crate) struct Session {
@@ -29,10 +30,11 @@ pub(crate) struct Session {
 
 /// A plant and the text that it comes from.
 pub(crate) struct ReadPlant {
-    /// One source, and no specification.
-    pub(crate) loaded: Loaded,
+    pub(crate) sources: Sources,
     pub(crate) plant: Plant,
     pub(crate) warnings: Vec<Diagnostic>,
+    /// Without options.
+    pub(crate) provenance: Provenance,
 }
 
 /// What exploration found, for `--timings`.
@@ -84,14 +86,18 @@ impl Session {
 
     /// A specification, for subcommands that mean nothing to plants.
     pub(crate) fn load(&mut self, path: &Path) -> Result<Loaded, Failure> {
-        let given = input::given(path)?;
+        self.specification_only(&input::given(path)?)
+    }
+
+    /// The same of what was read.
+    pub(crate) fn specification_only(&mut self, given: &Given) -> Result<Loaded, Failure> {
         if given.is_plant {
             let message = format!("`{}` is a plant, and this is for specifications", given.name);
             let error = nowhere(Code::Usage, message);
             let help = "write `sml check`, `sml supervise`, `sml export` or `sml play` for a plant";
             return Err(Failure::new(Exit::Wrong, error.help(help)));
         }
-        Ok(self.parse(&given))
+        Ok(self.parse(given))
     }
 
     pub(crate) fn parse(&mut self, given: &Given) -> Loaded {
@@ -103,15 +109,11 @@ impl Session {
         if self.semantics().classic {
             return Err(Failure::usage("`--classic` means nothing to a plant"));
         }
-        let mut loaded = Loaded::default();
-        let file = loaded.sources.add(&*given.name, shown(&given.bytes));
-        let read = self.timings.stage("parse", || {
-            let text = decode(&given.bytes, file).map_err(|wrong| vec![*wrong])?;
-            plant::read(text, file)
-        });
-        match read {
-            Ok((plant, warnings)) => Ok(ReadPlant { loaded, plant, warnings }),
-            Err(wrong) => Err(Failure::of(&pipeline::Failure::Wrong(wrong), &loaded)),
+        let read = || plant::Loaded::of_file(&given.name, &given.bytes);
+        let plant::Loaded { plant, sources, provenance } = self.timings.stage("parse", read);
+        match plant {
+            Ok((plant, warnings)) => Ok(ReadPlant { sources, plant, warnings, provenance }),
+            Err(wrong) => Err(Failure::of(&pipeline::Failure::Wrong(wrong), &sources)),
         }
     }
 
@@ -142,16 +144,21 @@ impl Session {
         plant::pipeline::control(plant, &self.common.limits(), options, &mut self.timings)
     }
 
+    /// The feedback of a plant, and a controller that follows its events.
+    pub(crate) fn follow(&mut self, plant: &Plant, level: Level) -> Result<Followed, pipeline::Failure> {
+        plant::pipeline::follow(plant, &self.common.limits(), level, &mut self.timings)
+    }
+
     pub(crate) fn specification(&mut self, loaded: &Loaded) -> Result<Spec, Failure> {
         let spec = self.timings.stage("resolve", || pipeline::specification(loaded));
-        spec.map_err(|failure| Failure::of(&failure, loaded))
+        spec.map_err(|failure| Failure::of(&failure, &loaded.sources))
     }
 
     /// Explores without asking who wins.
     pub(crate) fn explore<'s>(&mut self, loaded: &Loaded, spec: &'s Spec) -> Result<Explored<'s>, Failure> {
         let options = self.options(Level::default());
         let explored = self.timings.stage("explore", || explore(spec, options.semantics, &options.limits));
-        let explored = explored.map_err(|error| Failure::of(&error.into(), loaded))?;
+        let explored = explored.map_err(|error| Failure::of(&error.into(), &loaded.sources))?;
         self.size = Some(Size::of(&explored));
         Ok(explored)
     }
@@ -159,7 +166,7 @@ impl Session {
     pub(crate) fn solve<'s>(&mut self, loaded: &Loaded, spec: &'s Spec) -> Result<Solved<'s>, Failure> {
         let options = self.options(Level::default());
         let solved = pipeline::play_and_solve(spec, &options, &mut self.timings);
-        let solved = solved.map_err(|failure| Failure::of(&failure, loaded))?;
+        let solved = solved.map_err(|failure| Failure::of(&failure, &loaded.sources))?;
         self.size = Some(Size::of(&solved.explored));
         Ok(solved)
     }
@@ -172,7 +179,7 @@ impl Session {
     ) -> Result<Verified, Failure> {
         let options = self.options(level);
         let verified = pipeline::synthesize(solved, &options, &mut self.timings);
-        verified.map_err(|failure| Failure::of(&failure, loaded))
+        verified.map_err(|failure| Failure::of(&failure, &loaded.sources))
     }
 
     /// The number of nodes of the product, or why the controller does not pass.
@@ -195,7 +202,7 @@ impl Session {
     ) -> Result<Vec<Existential>, Failure> {
         let options = self.options(Level::default());
         let found = self.timings.stage("existential", || existential(spec, &options, solved, controller));
-        found.map_err(|failure| Failure::of(&failure, loaded))
+        found.map_err(|failure| Failure::of(&failure, &loaded.sources))
     }
 
     /// What a specification is warned of beside a product: what its text shows, and the rest only if that is denied.
@@ -218,7 +225,7 @@ impl Session {
         solved: &mut Solved<'_>,
     ) -> Result<Vec<Diagnostic>, Failure> {
         let warnings = pipeline::warnings(loaded, solved, true, &mut self.timings);
-        warnings.map_err(|failure| Failure::of(&failure, loaded))
+        warnings.map_err(|failure| Failure::of(&failure, &loaded.sources))
     }
 
     /// Why the system cannot win; `None` if it can.

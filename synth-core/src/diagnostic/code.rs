@@ -500,6 +500,14 @@ codes! {
          automaton Door { initial state Shut [!Motor] { open -> Ajar } state Ajar [Motor] }\n\
          Right:  controllable open { set Motor }  constraint Safe: open only when Door.Shut\n        \
          automaton Door { initial state Shut [!Motor] { open -> Ajar } state Ajar [Motor] }\n";
+    Race = 145, "events that one scan cannot tell apart",
+        "A controller that follows events sees which ones have come since its last scan, not in which order. If these come in\n\
+         the order shown, all within one scan, it takes them for something else, or one of them fits nowhere any more: from\n\
+         then on it is wrong about the plant. If the last of them is a command, the event in front of it came too late to be\n\
+         seen when the command was given, and is not possible behind it.\n\n\
+         Make sure that these events cannot come within one scan: let scans be shorter than the plant takes for them. Or tell\n\
+         the plant better: allow both orders, with the same state behind them, or put a state between the events that lasts.\n\
+         If neither will do, let the controller read states instead of following events.\n";
 }
 
 #[cfg(test)]

@@ -1,13 +1,15 @@
 //! The second route as code: from the text of a plant to its feedback, and to the program that does it.
 
+use super::event_based::{self, Races};
 use super::remember::{Remembered, remember};
 use super::{
     ClosedLoop, FormulaError, Options, Plant, StateFeedback, SuperviseError, state_feedback, supervise,
     unreadable,
 };
+use crate::controller::{Controller, Level, minimize, number};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::explore::Limits;
-use crate::pipeline::{Failure, Timings};
+use crate::pipeline::{Failure, Refused, Timings};
 use crate::syntax::Span;
 
 /// A plant with the program that controls it.
@@ -26,11 +28,46 @@ pub struct Supervised {
 /// # Errors
 /// There is none, or a limit was reached.
 pub fn feedback(plant: &Plant, limits: &Limits, timings: &mut Timings) -> Result<ClosedLoop, Failure> {
-    timings.stage("supervise", || supervise(plant, limits)).map_err(|error| match error {
+    timings.stage("supervise", || supervise(plant, limits)).map_err(|error| failure(error, plant))
+}
+
+fn failure(error: SuperviseError, plant: &Plant) -> Failure {
+    match error {
         SuperviseError::Limit(limit) => Failure::Limit(limit),
         SuperviseError::TooLarge(diagnostic) => Failure::Wrong(vec![*diagnostic]),
-        SuperviseError::Refused(unavoidable) => Failure::Refused(Box::new(unavoidable.diagnostic(plant))),
-    })
+        SuperviseError::Refused(unavoidable) => Failure::Refused(Box::new(Refused {
+            diagnostic: unavoidable.diagnostic(plant),
+            unavoidable: *unavoidable,
+        })),
+    }
+}
+
+/// A plant with the controller that follows its events.
+#[derive(Clone, Debug)]
+pub struct Followed {
+    /// The plant under its feedback.
+    pub closed: ClosedLoop,
+    /// One command at most in every entry; minimised and numbered.
+    pub controller: Controller,
+    /// Events of one scan that the controller cannot follow.
+    pub races: Races,
+}
+
+/// The whole way from a plant to a controller that follows its events; states need not be readable.
+///
+/// # Errors
+/// As [`feedback`].
+pub fn follow(
+    plant: &Plant,
+    limits: &Limits,
+    level: Level,
+    timings: &mut Timings,
+) -> Result<Followed, Failure> {
+    let closed = feedback(plant, limits, timings)?;
+    let controller = timings.stage("extract", || event_based::controller(plant, &closed));
+    let controller = timings.stage("minimise", || number(minimize(&controller, level)));
+    let races = timings.stage("races", || event_based::races(plant, &closed));
+    Ok(Followed { closed, controller, races })
 }
 
 /// The whole way from a plant that was read ([`super::read`]) to a program.

@@ -44,11 +44,10 @@ pub(in crate::commands) fn run(
         (Target::Il, _) => Box::new(list::names),
         _ => return Err(Failure::usage(format!("target `{target}` gives nothing a name"))),
     };
-    let ReadPlant { loaded, plant, .. } = session.plant(given)?;
+    let ReadPlant { sources, plant, provenance, .. } = session.plant(given)?;
     let controlled = control(&plant, Options::default(), session);
-    let feedback = controlled.map_err(|failure| Failure::of(&failure, &loaded))?.feedback;
+    let feedback = controlled.map_err(|failure| Failure::of(&failure, &sources))?.feedback;
     let program = &feedback.ok_or_else(|| super::export::no_signals(&plant.name, target))?.program;
-    let provenance = super::export::provenance(&loaded, String::new());
     let map = names(&Source { program, events: &plant.events, provenance: &provenance });
     let events: Vec<&str> =
         plant.events.iter().filter(|event| event.controllable).map(|event| event.name.as_str()).collect();

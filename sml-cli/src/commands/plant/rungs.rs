@@ -54,15 +54,4 @@ impl Rungs {
             extract: self.extract,
         }
     }
-
-    /// As in a command line, as far as they are not the defaults.
-    pub(super) fn words(self) -> String {
-        let dont_care = match self.dont_care {
-            Some(DontCare::All) => " --dont-care all",
-            Some(DontCare::Decodable) => " --dont-care decodable",
-            Some(DontCare::None) | None => "",
-        };
-        let flags = self.given().into_iter().skip(1).filter(|(_, is_given)| *is_given);
-        flags.fold(dont_care.to_owned(), |words, (flag, _)| format!("{words} {flag}"))
-    }
 }

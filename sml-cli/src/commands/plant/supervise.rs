@@ -32,11 +32,11 @@ pub(in crate::commands) fn run(arguments: &Arguments, session: &mut Session) -> 
     if !given.begins_a_plant() {
         return Err(no_plant(&given.name));
     }
-    let ReadPlant { loaded, plant, warnings: found } = session.plant(&given)?;
+    let ReadPlant { sources, plant, warnings: found, .. } = session.plant(&given)?;
     let controlled = control(&plant, rungs.options(), session);
-    let controlled = controlled.map_err(|failure| Failure::of(&failure, &loaded))?;
+    let controlled = controlled.map_err(|failure| Failure::of(&failure, &sources))?;
     let found = session.warnings_of_plant(found, &plant, &controlled.closed);
-    warnings::show(found, &warnings.policy(), &loaded, session)?;
+    warnings::show(found, &warnings.policy(), &sources, session)?;
     let text = match session.format() {
         Format::Json => json(&plant, &controlled),
         Format::Text => text(&plant, &controlled),
