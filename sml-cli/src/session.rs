@@ -15,7 +15,7 @@ use synth_core::explain::{Explanation, explain};
 use synth_core::explore::{Explored, explore};
 use synth_core::model::Spec;
 use synth_core::pipeline::{self, Options, Solved, Timings, Verified};
-use synth_core::plant::pipeline::{Followed, Supervised};
+use synth_core::plant::pipeline::{Followed, ModularlySupervised, Supervised};
 use synth_core::plant::{self, ClosedLoop, Plant};
 use synth_core::playout::Semantics;
 use synth_core::quality::{self, Policy};
@@ -142,6 +142,15 @@ impl Session {
         options: plant::Options,
     ) -> Result<Supervised, pipeline::Failure> {
         plant::pipeline::control(plant, &self.common.limits(), options, &mut self.timings)
+    }
+
+    /// A supervisor per constraint, and the program that does what all of them want.
+    pub(crate) fn control_modular(
+        &mut self,
+        plant: &Plant,
+        options: plant::Options,
+    ) -> Result<ModularlySupervised, pipeline::Failure> {
+        plant::pipeline::control_modular(plant, &self.common.limits(), options, &mut self.timings)
     }
 
     /// The feedback of a plant, and a controller that follows its events.

@@ -134,7 +134,7 @@ mod tests {
         let tokens: TokenStream = format!("plant Lamps {{ {lamps} }}").parse().expect("tokens");
         let shown = inline(&tokens, Choice::default(), Expander::Editor).to_string();
         for part in
-            ["the limit of 10000 states was reached", "goes on to 100000", "compile(\\\"cell.plant\\\")"]
+            ["the limit of 10000 states is too small", "goes on to 100000", "compile(\\\"cell.plant\\\")"]
         {
             assert!(shown.contains(part), "{part}: {shown}");
         }

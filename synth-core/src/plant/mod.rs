@@ -58,7 +58,7 @@ pub use model::{
     Automaton, AutomatonId, Command, Constraint, Edge, Event, EventId, Plant, Rule, Signal, SignalId,
     SignalKind, State, StateRef,
 };
-pub use modular::{Modular, ModularError, Module, modular};
+pub use modular::{Modular, ModularError, Module, Part, modular};
 pub use never_enabled::never_enabled;
 pub use parse::{RESERVED, parse_text, parse_tokens};
 pub use print::print;

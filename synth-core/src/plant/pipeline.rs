@@ -1,10 +1,11 @@
 //! The second route as code: from the text of a plant to its feedback, and to the program that does it.
 
 use super::event_based::{self, Races};
+use super::modular::{self, modular};
 use super::remember::{Remembered, remember};
 use super::{
-    ClosedLoop, FormulaError, Options, Plant, StateFeedback, SuperviseError, state_feedback, supervise,
-    unreadable,
+    ClosedLoop, FormulaError, Modular, ModularError, Module, Options, Plant, StateFeedback, SuperviseError,
+    state_feedback, supervise, unreadable,
 };
 use crate::controller::{Controller, Level, minimize, number};
 use crate::diagnostic::{Code, Diagnostic};
@@ -28,18 +29,84 @@ pub struct Supervised {
 /// # Errors
 /// There is none, or a limit was reached.
 pub fn feedback(plant: &Plant, limits: &Limits, timings: &mut Timings) -> Result<ClosedLoop, Failure> {
+    if let Some(hopeless) = modular::too_large(plant, limits) {
+        return Err(Failure::Wrong(vec![hopeless.help(SMALLER)]));
+    }
     timings.stage("supervise", || supervise(plant, limits)).map_err(|error| failure(error, plant))
 }
 
+/// What to do about a product that is too large.
+const SMALLER: &str = "supervise constraints apart with `--modular`, or make the plant smaller";
+
 fn failure(error: SuperviseError, plant: &Plant) -> Failure {
     match error {
-        SuperviseError::Limit(limit) => Failure::Limit(limit),
+        SuperviseError::Limit(limit) => {
+            let diagnostics = Failure::Limit(limit).diagnostics().into_iter().map(|one| {
+                let help = one.help.clone().unwrap_or_default();
+                one.help(format!("{help}; or supervise constraints apart with `--modular`"))
+            });
+            Failure::Wrong(diagnostics.collect())
+        }
         SuperviseError::TooLarge(diagnostic) => Failure::Wrong(vec![*diagnostic]),
         SuperviseError::Refused(unavoidable) => Failure::Refused(Box::new(Refused {
             diagnostic: unavoidable.diagnostic(plant),
             unavoidable: *unavoidable,
         })),
     }
+}
+
+/// A plant with the supervisors of its constraints, and the program that does what all of them want.
+#[derive(Clone, Debug)]
+pub struct ModularlySupervised {
+    /// The supervisors.
+    pub modular: Modular,
+    /// Formulas and program; `None` if the plant has no inputs and outputs.
+    pub feedback: Option<StateFeedback>,
+}
+
+/// As [`control`], with a supervisor per constraint: the product of the whole plant is never built. Of the options, `share`
+/// has no effect.
+///
+/// # Errors
+/// As [`control`]; and if the modules conflict.
+pub fn control_modular(
+    plant: &Plant,
+    limits: &Limits,
+    options: Options,
+    timings: &mut Timings,
+) -> Result<ModularlySupervised, Failure> {
+    let has_signals = !plant.signals.is_empty();
+    let wrong = if has_signals { unreadable(plant) } else { Vec::new() };
+    if !wrong.is_empty() {
+        return Err(Failure::Wrong(wrong));
+    }
+    let modular = timings.stage("supervise", || modular(plant, limits)).map_err(|error| match error {
+        ModularError::Module(part, error) => failure(error, &part),
+        ModularError::Conflict(states) => {
+            let (diagnostic, unavoidable) = modular::conflict(plant, states);
+            Failure::Refused(Box::new(Refused { diagnostic, unavoidable }))
+        }
+    })?;
+    if !has_signals {
+        return Ok(ModularlySupervised { modular, feedback: None });
+    }
+    let own = Options { share: false, extract: false, ..options };
+    let feedbacks = timings.stage("formulas", || {
+        let feedback = |module: &Module| {
+            let Module { part, closed, .. } = module;
+            let memory = remember(&part.plant, closed)
+                .map_err(|unseen| Failure::Wrong(vec![unseen.diagnostic(&part.plant, closed)]))?;
+            let feedback = state_feedback(&part.plant, closed, &memory, own);
+            feedback.map_err(|error| of_formulas(&error, &part.plant, closed))
+        };
+        modular.modules.iter().map(feedback).collect::<Result<Vec<StateFeedback>, Failure>>()
+    })?;
+    let feedback = timings.stage("program", || modular::program(plant, &modular, &feedbacks, options));
+    let feedback = feedback.map_err(|error| match modular.modules.first() {
+        Some(module) => of_formulas(&error, plant, &module.closed),
+        None => Failure::Inconsistent("no modules".to_owned()),
+    })?;
+    Ok(ModularlySupervised { modular, feedback: Some(feedback) })
 }
 
 /// A plant with the controller that follows its events.

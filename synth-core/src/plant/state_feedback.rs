@@ -199,7 +199,7 @@ fn coil(command: &Command) -> Coil {
 }
 
 /// `name`, or with a number if that is taken, without regard to case.
-fn unique(variables: &[Variable], name: &str) -> String {
+pub(super) fn unique(variables: &[Variable], name: &str) -> String {
     let taken = |name: &str| variables.iter().any(|variable| variable.name.eq_ignore_ascii_case(name));
     let mut candidate = name.to_owned();
     let mut number = 2;

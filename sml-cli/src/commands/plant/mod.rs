@@ -4,6 +4,7 @@ pub(super) mod check;
 mod explanation;
 pub(super) mod export;
 pub(super) mod follow;
+mod modular;
 pub(super) mod names;
 pub(super) mod play;
 pub(super) mod rungs;

@@ -2,7 +2,7 @@
 
 use super::follow::{Follow, Followed, follow};
 use super::rungs::Rungs;
-use super::{Controlled, control, refuse_given, supervise};
+use super::{Controlled, control, modular, refuse_given, supervise};
 use crate::commands::export::{Arguments, Layout, Target};
 use crate::failure::{Exit, Failure, nowhere};
 use crate::input::Given;
@@ -17,7 +17,7 @@ use synth_core::diagnostic::{Code, counted};
 use synth_core::emit::scan::{Source, ladder, list};
 use synth_core::emit::st::plcopen;
 use synth_core::emit::{automata, rust, st};
-use synth_core::plant::{ClosedLoop, Figures, Plant};
+use synth_core::plant::{ClosedLoop, Figures, Plant, Program};
 
 /// Options of `sml export` that mean something to plants only.
 #[derive(Clone, Copy, Debug, clap::Args)]
@@ -61,7 +61,7 @@ impl Options {
             Some(Drawn::Ladder) => " --of ladder",
             Some(Drawn::Automata) | None => "",
         };
-        format!("{of}{}", self.rungs.options().words())
+        format!("{of}{}", self.rungs.words())
     }
 }
 
@@ -88,7 +88,11 @@ pub(in crate::commands) fn run(
     let writer = writer(arguments)?;
     arguments.checks_something()?;
     output::refuse(arguments.output.as_deref(), &arguments.file)?;
-    let ReadPlant { sources, plant, warnings, provenance } = session.plant(given)?;
+    let read = session.plant(given)?;
+    if options.rungs.is_modular() {
+        return of_modules(arguments, &writer, &read, session);
+    }
+    let ReadPlant { sources, plant, warnings, provenance } = read;
     let controlled = match writer {
         Writer::Diagram(_) => session.feedback(&plant).map(|closed| Controlled { closed, feedback: None }),
         Writer::Program(_) | Writer::Json => control(&plant, options.rungs.options(), session),
@@ -106,16 +110,54 @@ pub(in crate::commands) fn run(
         Writer::Diagram(draw) => Ok(draw(&plant, closed(*options, &controlled.closed)?)),
         Writer::Json => Ok(supervise::json(&plant, &controlled)),
     })?;
+    let figures = controlled.feedback.map(|feedback| feedback.program.figures());
+    write(arguments, &text, figures, session)
+}
+
+/// Writes the product, or compares it with what is there.
+fn write(
+    arguments: &Arguments,
+    text: &str,
+    figures: Option<Figures>,
+    session: &Session,
+) -> Result<Exit, Failure> {
     if arguments.check {
-        arguments.compare(&text)?.failure()?;
+        arguments.compare(text)?.failure()?;
     } else {
-        output::product(arguments.output.as_deref(), &text)?;
+        output::product(arguments.output.as_deref(), text)?;
     }
     if let Some(path) = arguments.file_written() {
-        let figures = controlled.feedback.map(|feedback| feedback.program.figures());
-        report(arguments, path, &text, figures, session)?;
+        report(arguments, path, text, figures, session)?;
     }
     Ok(Exit::Done)
+}
+
+/// The program of modules.
+fn of_modules(
+    arguments: &Arguments,
+    writer: &Writer,
+    read: &ReadPlant,
+    session: &mut Session,
+) -> Result<Exit, Failure> {
+    let Arguments { target, plant: options, .. } = arguments;
+    let ReadPlant { sources, plant, warnings, provenance } = read;
+    if matches!(writer, Writer::Diagram(_)) {
+        return Err(Failure::usage(format!("`--modular` means nothing to target `{target}`")));
+    }
+    let supervised = session.control_modular(plant, options.rungs.options());
+    let supervised = supervised.map_err(|failure| Failure::of(&failure, sources))?;
+    let warnings = [&warnings[..], &supervised.modular.warnings()].concat();
+    warnings::show(warnings, &arguments.warnings.policy(), sources, session)?;
+    let provenance = Provenance { options: options.words(), ..provenance.clone() };
+    let program = supervised.feedback.as_ref().map(|feedback| &feedback.program);
+    let text = session.stage("emit", || match writer {
+        Writer::Program(write) => {
+            let program = program.ok_or_else(|| no_signals(&plant.name, *target))?;
+            Ok(write(&Source { program, events: &plant.events, provenance: &provenance }))
+        }
+        _ => Ok(modular::json(plant, &supervised)),
+    })?;
+    write(arguments, &text, program.map(Program::figures), session)
 }
 
 /// The controller that follows events.
