@@ -6,6 +6,7 @@ use crate::options::{Color, Common, Format};
 use crate::{input, output};
 use std::io::IsTerminal;
 use std::path::Path;
+use std::sync::mpsc;
 use std::time::Duration;
 use synth_core::controller::tables::Provenance;
 use synth_core::controller::{Controller, Level};
@@ -16,7 +17,7 @@ use synth_core::explore::{Explored, explore};
 use synth_core::model::Spec;
 use synth_core::pipeline::{self, Options, Solved, Timings, Verified};
 use synth_core::plant::pipeline::{Followed, ModularlySupervised, Supervised};
-use synth_core::plant::{self, ClosedLoop, Plant};
+use synth_core::plant::{self, ClosedLoop, Plant, Synthesis};
 use synth_core::playout::Semantics;
 use synth_core::quality::{self, Policy};
 use synth_core::syntax::{Loaded, Sources};
@@ -132,7 +133,19 @@ impl Session {
 
     /// The feedback of a plant, whether or not inputs and outputs show its states.
     pub(crate) fn feedback(&mut self, plant: &Plant) -> Result<ClosedLoop, pipeline::Failure> {
-        plant::pipeline::feedback(plant, &self.common.limits(), &mut self.timings)
+        let limits = self.common.limits();
+        patiently(|| plant::pipeline::feedback(plant, &limits, &mut self.timings))
+    }
+
+    /// The same, kept to say why it inhibits what it inhibits.
+    pub(crate) fn synthesis<'p>(
+        &mut self,
+        plant: &'p Plant,
+    ) -> Result<(Synthesis<'p>, ClosedLoop), pipeline::Failure> {
+        let limits = self.common.limits();
+        let synthesis = patiently(|| plant::pipeline::synthesis(plant, &limits, &mut self.timings))?;
+        let closed = self.timings.stage("close", || synthesis.closed_loop(&limits));
+        Ok((synthesis, closed))
     }
 
     /// The feedback of a plant, and the program that does it.
@@ -141,7 +154,8 @@ impl Session {
         plant: &Plant,
         options: plant::Options,
     ) -> Result<Supervised, pipeline::Failure> {
-        plant::pipeline::control(plant, &self.common.limits(), options, &mut self.timings)
+        let limits = self.common.limits();
+        patiently(|| plant::pipeline::control(plant, &limits, options, &mut self.timings))
     }
 
     /// A supervisor per constraint, and the program that does what all of them want.
@@ -155,7 +169,8 @@ impl Session {
 
     /// The feedback of a plant, and a controller that follows its events.
     pub(crate) fn follow(&mut self, plant: &Plant, level: Level) -> Result<Followed, pipeline::Failure> {
-        plant::pipeline::follow(plant, &self.common.limits(), level, &mut self.timings)
+        let limits = self.common.limits();
+        patiently(|| plant::pipeline::follow(plant, &limits, level, &mut self.timings))
     }
 
     pub(crate) fn specification(&mut self, loaded: &Loaded) -> Result<Spec, Failure> {
@@ -265,4 +280,26 @@ impl Session {
             output::note(&format!("{states}, {edges}, {}", counted(*bytes, "byte")));
         }
     }
+}
+
+/// Runs what may take long; whoever waits at a terminal is told what could be done about it.
+fn patiently<T>(run: impl FnOnce() -> T) -> T {
+    const PATIENCE: Duration = Duration::from_secs(10);
+    if !std::io::stderr().is_terminal() {
+        return run();
+    }
+    let (done, waiting) = mpsc::channel::<()>();
+    let watch = std::thread::spawn(move || {
+        if waiting.recv_timeout(PATIENCE) == Err(mpsc::RecvTimeoutError::Timeout) {
+            output::note(
+                "the product of the plant is large, and still explored; `--max-states` and `--max-memory` end it, \
+                 `sml supervise --modular` does without it",
+            );
+        }
+    });
+    let result = run();
+    drop(done);
+    // It does nothing that could fail.
+    let _ = watch.join();
+    result
 }

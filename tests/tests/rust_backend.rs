@@ -11,7 +11,7 @@ use sml_tests::tables::{self, Random, Size};
 use synth_core::controller::cycle::Machine;
 use synth_core::controller::tables::{Provenance, Tables};
 use synth_core::controller::{Controller, Level, json};
-use synth_core::emit::rust::{Engine, Options, module, templates, text};
+use synth_core::emit::rust::{Engine, Options, module, name_map, templates, text};
 use synth_core::emit::st;
 use synth_core::explore::Limits;
 use synth_core::pipeline::Timings;
@@ -95,7 +95,8 @@ fn followed_cases() -> Vec<Case> {
         let module = format!("{name}_followed");
         let controller = followed.expect("a feedback").controller;
         let tables = Tables::new(&module, &controller, Provenance::default());
-        let fields = tables.components.iter().map(|component| snake_case(&component.object)).collect();
+        let names = name_map(&tables);
+        let fields = names.components.into_iter().map(|component| component.output).collect();
         Case { module, tables, engine, beside_text: true, fields }
     };
     names.into_iter().zip(Engine::ALL.iter().cycle()).map(case).collect()

@@ -67,9 +67,9 @@ pub use readable::unreadable;
 pub use refusal::{Reason, Source, Unavoidable};
 pub use resolve::resolve;
 pub use state_feedback::{Options, StateFeedback, state_feedback};
-pub use supremal::{SuperviseError, supervise};
+pub use supremal::{SuperviseError, Synthesis, supervise};
 pub use warnings::warnings;
-pub use why::{Why, why};
+pub use why::Why;
 
 use crate::diagnostic::Diagnostic;
 use crate::syntax::FileId;

@@ -5,7 +5,7 @@ use super::modular::{self, modular};
 use super::remember::{Remembered, remember};
 use super::{
     ClosedLoop, FormulaError, Modular, ModularError, Module, Options, Plant, StateFeedback, SuperviseError,
-    state_feedback, supervise, unreadable,
+    Synthesis, state_feedback, unreadable,
 };
 use crate::controller::{Controller, Level, minimize, number};
 use crate::diagnostic::{Code, Diagnostic};
@@ -29,10 +29,23 @@ pub struct Supervised {
 /// # Errors
 /// There is none, or a limit was reached.
 pub fn feedback(plant: &Plant, limits: &Limits, timings: &mut Timings) -> Result<ClosedLoop, Failure> {
+    let synthesis = synthesis(plant, limits, timings)?;
+    Ok(timings.stage("close", || synthesis.closed_loop(limits)))
+}
+
+/// The same with all that was found on the way.
+///
+/// # Errors
+/// As [`feedback`].
+pub fn synthesis<'p>(
+    plant: &'p Plant,
+    limits: &Limits,
+    timings: &mut Timings,
+) -> Result<Synthesis<'p>, Failure> {
     if let Some(hopeless) = modular::too_large(plant, limits) {
         return Err(Failure::Wrong(vec![hopeless.help(SMALLER)]));
     }
-    timings.stage("supervise", || supervise(plant, limits)).map_err(|error| failure(error, plant))
+    timings.stage("supervise", || Synthesis::new(plant, limits)).map_err(|error| failure(error, plant))
 }
 
 /// What to do about a product that is too large.

@@ -6,9 +6,7 @@
 
 use super::super::formulas::{Formula, FormulaError};
 use super::super::state_feedback::unique;
-use super::super::{
-    Coil, Drive, EventId, Options, Plant, Program, Rung, SignalKind, StateFeedback, Use, Variable,
-};
+use super::super::{Coil, Drive, EventId, Options, Plant, Program, Rung, StateFeedback, Use, Variable};
 use super::Modular;
 use super::scope::place;
 use crate::logic::{Bdd, Expr, Literal, TooLarge, Var, count, factor, instructions, minimize, run};
@@ -119,20 +117,8 @@ struct Assembly<'a> {
 
 impl<'a> Assembly<'a> {
     fn new(plant: &'a Plant, modular: &'a Modular, own: &'a [StateFeedback], options: Options) -> Self {
-        let mut variables: Vec<Variable> = plant
-            .signals
-            .iter()
-            .map(|signal| Variable {
-                name: signal.name.clone(),
-                usage: match signal.kind {
-                    SignalKind::Input => Use::Input,
-                    SignalKind::Output => Use::Output,
-                    SignalKind::Memory => Use::Memory(false),
-                    SignalKind::Range { analogue, low, high } => Use::Range(analogue, low, high),
-                },
-                doc: signal.doc.clone(),
-            })
-            .collect();
+        let mut whole = Program::without_rungs(plant);
+        let variables = &mut whole.variables;
         let mut views = Vec::with_capacity(own.len());
         for (module, StateFeedback { program, .. }) in modular.modules.iter().zip(own) {
             let signals = &module.part.signals;
@@ -144,14 +130,12 @@ impl<'a> Assembly<'a> {
             }
             for variable in &program.variables[signals.len()..] {
                 names.push(variables.len() as Var);
-                let name = unique(&variables, &variable.name);
+                let name = unique(variables, &variable.name);
                 variables.push(Variable { name, ..variable.clone() });
             }
             views.push(View::new(program, names));
         }
-        let (name, doc, analogues) = (plant.name.clone(), plant.doc.clone(), plant.analogues.clone());
-        let program = Program { name, doc, variables, analogues, rungs: Vec::new() };
-        Assembly { plant, modular, own, options, views, program, fired: None }
+        Assembly { plant, modular, own, options, views, program: whole, fired: None }
     }
 
     fn variable(&self, module: usize, variable: Var) -> Var {
