@@ -27,9 +27,9 @@ pub(in super::super) fn program(
     options: Options,
 ) -> Result<StateFeedback, FormulaError> {
     let mut all = Assembly::new(plant, modular, own, options);
-    for module in 0..own.len() {
+    for (module, feedback) in own.iter().enumerate() {
         let updates = all.views[module].updates;
-        for rung in &own[module].program.rungs[..updates] {
+        for rung in &feedback.program.rungs[..updates] {
             let rung = all.renamed(module, rung);
             all.program.rungs.push(rung);
         }
