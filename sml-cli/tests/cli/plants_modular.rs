@@ -89,7 +89,7 @@ fn conflicts_and_refusals_are_1() {
     let run = sml_reading("supervise - --modular", tools.as_bytes());
     assert!(run.code == 1 && run.stderr.contains("error[SML0146]: the modules conflict"), "{}", run.stderr);
     assert!(run.stderr.contains("User1.A, User2.A, Saw.Taken, Drill.Taken"), "{}", run.stderr);
-    let wrong = tools.replace("controllable saw", "uncontrollable saw");
+    let wrong = tools.replace("controllable", "uncontrollable");
     assert_eq!(sml_reading("supervise - --modular", wrong.as_bytes()).code, 1);
 }
 
