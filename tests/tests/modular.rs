@@ -146,13 +146,13 @@ fn readable(mut plant: Plant) -> Plant {
         let bits = u32::BITS - (states - 1).leading_zeros();
         plant.signals.extend((0..bits).map(|bit| signal(format!("I{component}_{bit}"), SignalKind::Input)));
         for (state, number) in plant.automata[component].states.iter_mut().zip(0_u32..) {
-            let literals = (0..bits).map(|bit| {
+            let mut literals = (0..bits).map(|bit| {
                 let atom = Condition::Atom(first + bit);
                 if number >> bit & 1 == 1 { atom } else { Condition::Not(Box::new(atom)) }
             });
             state.formula = match bits {
                 0 => None,
-                1 => literals.last(),
+                1 => literals.next(),
                 _ => Some(Condition::And(literals.collect())),
             };
         }
