@@ -200,7 +200,7 @@ impl Build {
         let provenance = event_based::provenance(plant, Provenance { options, ..provenance });
         let tables = Tables::new(&plant.name, &controller, provenance);
         let options = rust::Options { engine: self.engine, ..rust::Options::default() };
-        let warnings = [plant::warnings(plant, &closed), races.diagnostics(plant, &closed)].concat();
+        let warnings = [plant::never_enabled(plant, &closed), races.diagnostics(plant, &closed)].concat();
         Ok((rust::text(&tables, &options), warnings))
     }
 }

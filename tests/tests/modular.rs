@@ -8,7 +8,7 @@ use sml_tests::tables::Random;
 use synth_core::diagnostic::Code;
 use synth_core::explore::Limits;
 use synth_core::pipeline::Timings;
-use synth_core::plant::pipeline::{ModularlySupervised, control_modular, feedback};
+use synth_core::plant::pipeline::{feedback, program_of};
 use synth_core::plant::{
     ClosedLoop, Command, Condition, Modular, ModularError, Options, Plant, Signal, SignalKind, StateFeedback,
     SuperviseError, Use, modular, supervise,
@@ -115,7 +115,8 @@ fn what_cannot_be_checked_is_told() {
         buffer.states[1..].iter_mut().for_each(|state| state.marked = false);
     }
     let outcome = modular(&plant, &limits).expect("modules");
-    assert!(outcome.unknown.is_some() && outcome.warnings().len() == 1);
+    assert!(outcome.unknown.is_some());
+    assert_eq!(outcome.warnings().last().map(|one| one.code), Some(Code::ConflictUnknown));
     check_equal(&plant, &outcome);
     let known = modules(&plant).expect("modules");
     assert_eq!((known.unknown, known.modules), (None, outcome.modules));
@@ -201,13 +202,9 @@ fn programs_of_modules_do_what_the_whole_feedback_says() {
     let (mut several, mut with_memory, mut shared) = (0, 0, 0);
     for seed in 0..1500 {
         let plant = readable(random_plant::plant(seed));
-        let Ok(ModularlySupervised { modular, feedback }) =
-            control_modular(&plant, &Limits::default(), options, &mut Timings::default())
-        else {
-            continue;
-        };
+        let Ok(modular) = modules(&plant) else { continue };
+        let Ok(feedback) = program_of(&plant, &modular, options, &mut Timings::default()) else { continue };
         let closed = supervise(&plant, &Limits::default()).expect("a feedback of the whole");
-        let feedback = feedback.expect("there are signals");
         check_program(&plant, &closed, &feedback, seed);
         several += u32::from(modular.modules.len() > 1);
         with_memory +=
@@ -227,8 +224,8 @@ fn programs_of_transfer_lines() {
     let options = Options { extract: true, ..Options::default() };
     for machines in 2..=5 {
         let plant = readable(transfer_line(machines));
-        let supervised = control_modular(&plant, &Limits::default(), options, &mut Timings::default());
-        let feedback = supervised.expect("a program").feedback.expect("there are signals");
+        let modular = modules(&plant).expect("modules");
+        let feedback = program_of(&plant, &modular, options, &mut Timings::default()).expect("a program");
         let closed = supervise(&plant, &Limits::default()).expect("a feedback of the whole");
         for seed in 0..20 {
             check_program(&plant, &closed, &feedback, seed);
@@ -240,10 +237,10 @@ fn programs_of_transfer_lines() {
 #[test]
 fn a_long_line_has_a_program() {
     let plant = readable(transfer_line(20));
-    let supervised = control_modular(&plant, &Limits::default(), Options::default(), &mut Timings::default());
-    let supervised = supervised.expect("a program");
-    assert_eq!(supervised.modular.modules.len(), 19);
-    let rungs = &supervised.feedback.expect("there are signals").program.rungs;
+    let modular = modules(&plant).expect("modules");
+    assert_eq!(modular.modules.len(), 19);
+    let feedback = program_of(&plant, &modular, Options::default(), &mut Timings::default());
+    let rungs = &feedback.expect("a program").program.rungs;
     assert_eq!(rungs.iter().filter(|rung| rung.event.is_some()).count(), 20);
 }
 

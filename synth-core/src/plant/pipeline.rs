@@ -100,9 +100,20 @@ pub fn control_modular(
             Failure::Refused(Box::new(Refused { diagnostic, unavoidable }))
         }
     })?;
-    if !has_signals {
-        return Ok(ModularlySupervised { modular, feedback: None });
-    }
+    let feedback = if has_signals { Some(program_of(plant, &modular, options, timings)?) } else { None };
+    Ok(ModularlySupervised { modular, feedback })
+}
+
+/// One program of all modules.
+///
+/// # Errors
+/// As [`control`], but for what states look like and limits.
+pub fn program_of(
+    plant: &Plant,
+    modular: &Modular,
+    options: Options,
+    timings: &mut Timings,
+) -> Result<StateFeedback, Failure> {
     let own = Options { share: false, extract: false, ..options };
     let feedbacks = timings.stage("formulas", || {
         let feedback = |module: &Module| {
@@ -114,12 +125,11 @@ pub fn control_modular(
         };
         modular.modules.iter().map(feedback).collect::<Result<Vec<StateFeedback>, Failure>>()
     })?;
-    let feedback = timings.stage("program", || modular::program(plant, &modular, &feedbacks, options));
-    let feedback = feedback.map_err(|error| match modular.modules.first() {
+    let feedback = timings.stage("program", || modular::program(plant, modular, &feedbacks, options));
+    feedback.map_err(|error| match modular.modules.first() {
         Some(module) => of_formulas(&error, plant, &module.closed),
         None => Failure::Inconsistent("no modules".to_owned()),
-    })?;
-    Ok(ModularlySupervised { modular, feedback: Some(feedback) })
+    })
 }
 
 /// A plant with the controller that follows its events.

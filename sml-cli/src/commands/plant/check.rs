@@ -14,7 +14,7 @@ use synth_core::controller::Level;
 use synth_core::diagnostic::{Diagnostic, render, to_json};
 use synth_core::pipeline::{self, Refused};
 use synth_core::plant::pipeline::Followed;
-use synth_core::plant::{ClosedLoop, Options};
+use synth_core::plant::{ClosedLoop, Options, never_enabled};
 use synth_core::quality::Policy;
 
 /// Figures are null if there is no feedback; those of the plant also if its states are too many to be counted.
@@ -41,16 +41,20 @@ pub(in crate::commands) fn run(
     let ReadPlant { sources, plant, warnings, .. } = session.plant(given)?;
     let found = if Follow::events(follow) {
         session.follow(&plant, Level::default()).map(|Followed { closed, races, .. }| {
-            let races = races.diagnostics(&plant, &closed);
-            (closed, races)
+            let found = [never_enabled(&plant, &closed), races.diagnostics(&plant, &closed)].concat();
+            (closed, found)
         })
     } else {
-        control(&plant, Options::default(), session).map(|Controlled { closed, .. }| (closed, Vec::new()))
+        control(&plant, Options::default(), session).map(|Controlled { closed, .. }| {
+            let found = session.warnings_of_plant(Vec::new(), &plant, &closed);
+            (closed, found)
+        })
     };
     let (closed, mut diagnostics, refused) = match found {
-        Ok((closed, races)) => {
-            let warnings = session.warnings_of_plant(warnings, &plant, &closed);
-            (Some(closed), [warnings, races].concat(), None)
+        Ok((closed, found)) => {
+            let mut all = [warnings, found].concat();
+            all.sort_by_key(|warning| warning.span.start);
+            (Some(closed), all, None)
         }
         Err(pipeline::Failure::Refused(refused)) => {
             let Refused { diagnostic, unavoidable } = *refused;

@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use synth_core::controller::tables::{Provenance, Tables};
 use synth_core::controller::{Controller, Level};
 use synth_core::diagnostic::Diagnostic;
-use synth_core::plant::event_based;
+use synth_core::plant::{event_based, never_enabled};
 
 /// What a controller goes by.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
@@ -46,7 +46,8 @@ pub(in crate::commands) fn follow(
 ) -> Result<Followed, Failure> {
     let ReadPlant { sources, plant, warnings, provenance } = read;
     let followed = session.follow(plant, level).map_err(|failure| Failure::of(&failure, sources))?;
-    let mut warnings = session.warnings_of_plant(std::mem::take(warnings), plant, &followed.closed);
+    let mut warnings = std::mem::take(warnings);
+    warnings.extend(never_enabled(plant, &followed.closed));
     warnings.extend(followed.races.diagnostics(plant, &followed.closed));
     let options = format!(" --follow events{options}");
     let provenance = event_based::provenance(plant, Provenance { options, ..provenance.clone() });

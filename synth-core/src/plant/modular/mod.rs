@@ -91,7 +91,7 @@ impl Modular {
         })
     }
 
-    /// What there is to warn of.
+    /// What there is to warn of, of modules and of all together.
     #[must_use]
     pub fn warnings(&self) -> Vec<Diagnostic> {
         let unknown = self.unknown.iter().map(|limit| {
@@ -103,7 +103,20 @@ impl Modular {
                 )
                 .help("raise `--max-states`, or mark all states where nobody has to come back")
         });
-        unknown.collect()
+        let mut all: Vec<Diagnostic> = Vec::new();
+        for warning in
+            self.modules.iter().flat_map(|module| super::warnings(&module.part.plant, &module.closed))
+        {
+            let known = |one: &Diagnostic| {
+                (one.code, one.span, &one.message) == (warning.code, warning.span, &warning.message)
+            };
+            if !all.iter().any(known) {
+                all.push(warning);
+            }
+        }
+        all.sort_by_key(|warning| warning.span.start);
+        all.extend(unknown);
+        all
     }
 }
 
