@@ -301,7 +301,7 @@ fn plants_can_be_followed_instead_of_read() -> io::Result<()> {
 
     let options = "plant_options(synth_core::plant::Options { extract: true, ..Default::default() })";
     package.edit("build.rs", "follow_events()", options);
-    package.write("src/main.rs", &main("clamp::Outputs::default().air", "rust --extract` again"))?;
+    package.write("src/main.rs", &main("clamp::Outputs::default().air", "--target rust --extract"))?;
     package.check_run("false true");
     Ok(())
 }
