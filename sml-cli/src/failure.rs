@@ -6,7 +6,7 @@ use serde_json::json;
 use std::process::ExitCode;
 use synth_core::diagnostic::{Code, Diagnostic, render, to_json};
 use synth_core::pipeline;
-use synth_core::syntax::{Loaded, Pos, Sources, Span};
+use synth_core::syntax::{Pos, Sources, Span};
 
 /// The published exit codes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -44,8 +44,8 @@ impl Failure {
     }
 
     /// Something that concerns a place in a specification.
-    pub(crate) fn at(exit: Exit, diagnostic: Diagnostic, loaded: &Loaded) -> Self {
-        Failure { exit, diagnostics: vec![diagnostic], sources: loaded.sources.clone() }
+    pub(crate) fn at(exit: Exit, diagnostic: Diagnostic, sources: &Sources) -> Self {
+        Failure { exit, diagnostics: vec![diagnostic], sources: sources.clone() }
     }
 
     /// Several things that concern places in these texts.
@@ -94,7 +94,7 @@ impl Failure {
     }
 
     /// A failure of the pipeline.
-    pub(crate) fn of(failure: &pipeline::Failure, loaded: &Loaded) -> Self {
+    pub(crate) fn of(failure: &pipeline::Failure, sources: &Sources) -> Self {
         use pipeline::Failure as F;
         let exit = match failure {
             F::Wrong(wrong) if wrong.iter().all(|one| one.code == Code::LimitReached) => Exit::Limit,
@@ -103,7 +103,7 @@ impl Failure {
             F::Unrealizable(_) | F::Refused(_) | F::Unverified(_) | F::Inconsistent(_) => Exit::No,
         };
         let diagnostics = failure.diagnostics();
-        Failure { exit, diagnostics, sources: loaded.sources.clone() }
+        Failure { exit, diagnostics, sources: sources.clone() }
     }
 
     /// What is wrong with the specification, if that is what it is about.

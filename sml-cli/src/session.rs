@@ -6,7 +6,9 @@ use crate::options::{Color, Common, Format};
 use crate::{input, output};
 use std::io::IsTerminal;
 use std::path::Path;
+use std::sync::mpsc;
 use std::time::Duration;
+use synth_core::controller::tables::Provenance;
 use synth_core::controller::{Controller, Level};
 use synth_core::diagnostic::{Code, Diagnostic, counted};
 use synth_core::existential::{Existential, existential};
@@ -14,11 +16,11 @@ use synth_core::explain::{Explanation, explain};
 use synth_core::explore::{Explored, explore};
 use synth_core::model::Spec;
 use synth_core::pipeline::{self, Options, Solved, Timings, Verified};
-use synth_core::plant::pipeline::Supervised;
-use synth_core::plant::{self, ClosedLoop, Plant};
+use synth_core::plant::pipeline::{Followed, ModularlySupervised, Supervised};
+use synth_core::plant::{self, ClosedLoop, Plant, Synthesis};
 use synth_core::playout::Semantics;
 use synth_core::quality::{self, Policy};
-use synth_core::syntax::{Loaded, decode, shown};
+use synth_core::syntax::{Loaded, Sources};
 
 /// Options and clock.
 pub(crate) struct Session {
@@ -29,10 +31,11 @@ pub(crate) struct Session {
 
 /// A plant and the text that it comes from.
 pub(crate) struct ReadPlant {
-    /// One source, and no specification.
-    pub(crate) loaded: Loaded,
+    pub(crate) sources: Sources,
     pub(crate) plant: Plant,
     pub(crate) warnings: Vec<Diagnostic>,
+    /// Without options.
+    pub(crate) provenance: Provenance,
 }
 
 /// What exploration found, for `--timings`.
@@ -87,14 +90,18 @@ impl Session {
 
     /// A specification, for subcommands that mean nothing to plants.
     pub(crate) fn load(&mut self, path: &Path) -> Result<Loaded, Failure> {
-        let given = input::given(path)?;
+        self.specification_only(&input::given(path)?)
+    }
+
+    /// The same of what was read.
+    pub(crate) fn specification_only(&mut self, given: &Given) -> Result<Loaded, Failure> {
         if given.is_plant {
             let message = format!("`{}` is a plant, and this is for specifications", given.name);
             let error = nowhere(Code::Usage, message);
             let help = "write `sml check`, `sml supervise`, `sml export` or `sml play` for a plant";
             return Err(Failure::new(Exit::Wrong, error.help(help)));
         }
-        Ok(self.parse(&given))
+        Ok(self.parse(given))
     }
 
     pub(crate) fn parse(&mut self, given: &Given) -> Loaded {
@@ -106,15 +113,11 @@ impl Session {
         if self.semantics().classic {
             return Err(Failure::usage("`--classic` means nothing to a plant"));
         }
-        let mut loaded = Loaded::default();
-        let file = loaded.sources.add(&*given.name, shown(&given.bytes));
-        let read = self.timings.stage("parse", || {
-            let text = decode(&given.bytes, file).map_err(|wrong| vec![*wrong])?;
-            plant::read(text, file)
-        });
-        match read {
-            Ok((plant, warnings)) => Ok(ReadPlant { loaded, plant, warnings }),
-            Err(wrong) => Err(Failure::of(&pipeline::Failure::Wrong(wrong), &loaded)),
+        let read = || plant::Loaded::of_file(&given.name, &given.bytes);
+        let plant::Loaded { plant, sources, provenance } = self.timings.stage("parse", read);
+        match plant {
+            Ok((plant, warnings)) => Ok(ReadPlant { sources, plant, warnings, provenance }),
+            Err(wrong) => Err(Failure::of(&pipeline::Failure::Wrong(wrong), &sources)),
         }
     }
 
@@ -133,7 +136,19 @@ impl Session {
 
     /// The feedback of a plant, whether or not inputs and outputs show its states.
     pub(crate) fn feedback(&mut self, plant: &Plant) -> Result<ClosedLoop, pipeline::Failure> {
-        plant::pipeline::feedback(plant, &self.common.limits(), &mut self.timings)
+        let limits = self.common.limits();
+        patiently(|| plant::pipeline::feedback(plant, &limits, &mut self.timings))
+    }
+
+    /// The same, kept to say why it inhibits what it inhibits.
+    pub(crate) fn synthesis<'p>(
+        &mut self,
+        plant: &'p Plant,
+    ) -> Result<(Synthesis<'p>, ClosedLoop), pipeline::Failure> {
+        let limits = self.common.limits();
+        let synthesis = patiently(|| plant::pipeline::synthesis(plant, &limits, &mut self.timings))?;
+        let closed = self.timings.stage("close", || synthesis.closed_loop(&limits));
+        Ok((synthesis, closed))
     }
 
     /// The feedback of a plant, and the program that does it.
@@ -142,19 +157,35 @@ impl Session {
         plant: &Plant,
         options: plant::Options,
     ) -> Result<Supervised, pipeline::Failure> {
-        plant::pipeline::control(plant, &self.common.limits(), options, &mut self.timings)
+        let limits = self.common.limits();
+        patiently(|| plant::pipeline::control(plant, &limits, options, &mut self.timings))
+    }
+
+    /// A supervisor per constraint, and the program that does what all of them want.
+    pub(crate) fn control_modular(
+        &mut self,
+        plant: &Plant,
+        options: plant::Options,
+    ) -> Result<ModularlySupervised, pipeline::Failure> {
+        plant::pipeline::control_modular(plant, &self.common.limits(), options, &mut self.timings)
+    }
+
+    /// The feedback of a plant, and a controller that follows its events.
+    pub(crate) fn follow(&mut self, plant: &Plant, level: Level) -> Result<Followed, pipeline::Failure> {
+        let limits = self.common.limits();
+        patiently(|| plant::pipeline::follow(plant, &limits, level, &mut self.timings))
     }
 
     pub(crate) fn specification(&mut self, loaded: &Loaded) -> Result<Spec, Failure> {
         let spec = self.timings.stage("resolve", || pipeline::specification(loaded));
-        spec.map_err(|failure| Failure::of(&failure, loaded))
+        spec.map_err(|failure| Failure::of(&failure, &loaded.sources))
     }
 
     /// Explores without asking who wins.
     pub(crate) fn explore<'s>(&mut self, loaded: &Loaded, spec: &'s Spec) -> Result<Explored<'s>, Failure> {
         let options = self.options(Level::default());
         let explored = self.timings.stage("explore", || explore(spec, options.semantics, &options.limits));
-        let explored = explored.map_err(|error| Failure::of(&error.into(), loaded))?;
+        let explored = explored.map_err(|error| Failure::of(&error.into(), &loaded.sources))?;
         self.size = Some(Size::of(&explored));
         Ok(explored)
     }
@@ -162,7 +193,7 @@ impl Session {
     pub(crate) fn solve<'s>(&mut self, loaded: &Loaded, spec: &'s Spec) -> Result<Solved<'s>, Failure> {
         let options = self.options(Level::default());
         let solved = pipeline::play_and_solve(spec, &options, &mut self.timings);
-        let solved = solved.map_err(|failure| Failure::of(&failure, loaded))?;
+        let solved = solved.map_err(|failure| Failure::of(&failure, &loaded.sources))?;
         self.size = Some(Size::of(&solved.explored));
         Ok(solved)
     }
@@ -175,7 +206,7 @@ impl Session {
     ) -> Result<Verified, Failure> {
         let options = self.options(level);
         let verified = pipeline::synthesize(solved, &options, &mut self.timings);
-        verified.map_err(|failure| Failure::of(&failure, loaded))
+        verified.map_err(|failure| Failure::of(&failure, &loaded.sources))
     }
 
     /// The number of nodes of the product, or why the controller does not pass.
@@ -198,7 +229,7 @@ impl Session {
     ) -> Result<Vec<Existential>, Failure> {
         let options = self.options(Level::default());
         let found = self.timings.stage("existential", || existential(spec, &options, solved, controller));
-        found.map_err(|failure| Failure::of(&failure, loaded))
+        found.map_err(|failure| Failure::of(&failure, &loaded.sources))
     }
 
     /// What a specification is warned of beside a product: what its text shows, and the rest only if that is denied.
@@ -221,7 +252,7 @@ impl Session {
         solved: &mut Solved<'_>,
     ) -> Result<Vec<Diagnostic>, Failure> {
         let warnings = pipeline::warnings(loaded, solved, true, &mut self.timings);
-        warnings.map_err(|failure| Failure::of(&failure, loaded))
+        warnings.map_err(|failure| Failure::of(&failure, &loaded.sources))
     }
 
     /// Why the system cannot win; `None` if it can.
@@ -258,4 +289,26 @@ impl Session {
             ));
         }
     }
+}
+
+/// Runs what may take long; whoever waits at a terminal is told what could be done about it.
+fn patiently<T>(run: impl FnOnce() -> T) -> T {
+    const PATIENCE: Duration = Duration::from_secs(10);
+    if !std::io::stderr().is_terminal() {
+        return run();
+    }
+    let (done, waiting) = mpsc::channel::<()>();
+    let watch = std::thread::spawn(move || {
+        if waiting.recv_timeout(PATIENCE) == Err(mpsc::RecvTimeoutError::Timeout) {
+            output::note(
+                "the product of the plant is large, and still explored; `--max-states` and `--max-memory` end it, \
+                 `sml supervise --modular` does without it",
+            );
+        }
+    });
+    let result = run();
+    drop(done);
+    // It does nothing that could fail.
+    let _ = watch.join();
+    result
 }

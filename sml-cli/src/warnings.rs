@@ -5,7 +5,7 @@ use crate::output;
 use crate::session::Session;
 use synth_core::diagnostic::{Diagnostic, render};
 use synth_core::quality::{Policy, Warning};
-use synth_core::syntax::Loaded;
+use synth_core::syntax::Sources;
 
 /// Options about warnings.
 #[derive(clap::Args, Clone, Debug)]
@@ -33,14 +33,14 @@ impl Warnings {
 pub(crate) fn show(
     mut warnings: Vec<Diagnostic>,
     policy: &Policy,
-    loaded: &Loaded,
+    sources: &Sources,
     session: &Session,
 ) -> Result<(), Failure> {
     policy.apply(&mut warnings);
     let (denied, shown): (Vec<_>, Vec<_>) = warnings.into_iter().partition(|one| policy.denies(one));
     if !shown.is_empty() {
-        let text = render(&shown, &loaded.sources, session.color(&std::io::stderr()));
+        let text = render(&shown, sources, session.color(&std::io::stderr()));
         output::note(text.trim_end());
     }
-    if denied.is_empty() { Ok(()) } else { Err(Failure::all(Exit::No, denied, loaded.sources.clone())) }
+    if denied.is_empty() { Ok(()) } else { Err(Failure::all(Exit::No, denied, sources.clone())) }
 }

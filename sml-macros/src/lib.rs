@@ -37,6 +37,7 @@
 //! | `#![dont_care = "none"]` | impossible values of inputs issue no command; what is taken without it |
 //! | `#![dont_care = "decodable"]`, `"all"` | shorter formulas, free where the plant never comes, or cannot be |
 //! | `#![extract]` | at most one event a scan, the first in the order of the plant |
+//! | `#![follow = "events"]` | a controller as `sml!` makes it, which follows events instead of reading states |
 //!
 //! A plant that is wrong, or whose constraints nothing can keep, is a compile error at the token that is to blame. The limits
 //! are those of `sml!`.
@@ -61,8 +62,8 @@ pub fn plant(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
         input,
         "a plant",
         plant::options,
-        |tokens, options, expander, _| plant::inline(tokens, options, expander),
-        |path, bytes, span, options, expander, _| plant::file(path, bytes, span, options, expander),
+        |tokens, choice, expander, _| plant::inline(tokens, choice, expander),
+        |path, bytes, span, choice, expander, _| plant::file(path, bytes, span, choice, expander),
     )
 }
 

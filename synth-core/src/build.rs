@@ -16,12 +16,14 @@
 //! specification ends the build with the same message that `sml check` prints. Warnings are shown as Cargo's, in one line
 //! each; [`Build::deny`] makes one of them end the build.
 
+use crate::controller::tables::{Provenance, Tables};
 use crate::diagnostic::{Code, Diagnostic, render};
 use crate::emit::rust::{self, Engine};
 use crate::emit::scan::Source;
 use crate::explore::Limits;
-use crate::pipeline::{Options, Timings, compile_with_warnings as run};
-use crate::plant;
+use crate::pipeline::{Failure, Options, Timings, compile_with_warnings as run};
+use crate::plant::pipeline::Followed;
+use crate::plant::{self, Plant, event_based};
 use crate::quality::{Policy, Warning};
 use crate::syntax::{Sources, load, read_bounded};
 use std::path::{Path, PathBuf};
@@ -41,6 +43,7 @@ pub struct Build {
     policy: Policy,
     engine: Engine,
     plants: plant::Options,
+    follows_events: bool,
 }
 
 /// What became of a file: the module and the warnings, or all that is wrong.
@@ -74,6 +77,14 @@ impl Build {
     #[must_use]
     pub fn plant_options(mut self, options: plant::Options) -> Self {
         self.plants = options;
+        self
+    }
+
+    /// The controller of a plant follows events: tables as those of a specification, instead of `scan`. The module then needs
+    /// the runtime crate `controller-template`, and [`Build::plant_options`] means nothing.
+    #[must_use]
+    pub fn follow_events(mut self) -> Self {
+        self.follows_events = true;
         self
     }
 
@@ -161,15 +172,36 @@ impl Build {
     fn plant(&self, path: &str, bytes: &[u8]) -> Compiled {
         let plant::Loaded { plant, sources, provenance } = plant::Loaded::of_file(path, bytes);
         let result = plant.and_then(|(plant, warnings)| {
-            let limits = &self.options.limits;
-            let supervised = plant::pipeline::control(&plant, limits, self.plants, &mut Timings::default());
-            let supervised = supervised.map_err(|failure| failure.diagnostics())?;
-            let program = &supervised.feedback.program;
-            let source = Source { program, events: &plant.events, provenance: &provenance };
-            let warnings = [warnings, plant::warnings(&plant, &supervised.closed)].concat();
-            Ok((rust::scan::text(&source), warnings))
+            let module = if self.follows_events {
+                self.of_events(&plant, provenance)
+            } else {
+                self.of_states(&plant, provenance)
+            };
+            let (text, more) = module.map_err(|failure| failure.diagnostics())?;
+            Ok((text, [warnings, more].concat()))
         });
         Compiled { result, sources }
+    }
+
+    fn of_states(&self, plant: &Plant, provenance: Provenance) -> Result<(String, Vec<Diagnostic>), Failure> {
+        let limits = &self.options.limits;
+        let supervised = plant::pipeline::control(plant, limits, self.plants, &mut Timings::default())?;
+        let provenance = Provenance { options: self.plants.words(), ..provenance };
+        let source =
+            Source { program: &supervised.feedback.program, events: &plant.events, provenance: &provenance };
+        Ok((rust::scan::text(&source), plant::warnings(plant, &supervised.closed)))
+    }
+
+    fn of_events(&self, plant: &Plant, provenance: Provenance) -> Result<(String, Vec<Diagnostic>), Failure> {
+        let Options { limits, level, .. } = &self.options;
+        let Followed { closed, controller, races } =
+            plant::pipeline::follow(plant, limits, *level, &mut Timings::default())?;
+        let options = " --follow events".to_owned();
+        let provenance = event_based::provenance(plant, Provenance { options, ..provenance });
+        let tables = Tables::new(&plant.name, &controller, provenance);
+        let options = rust::Options { engine: self.engine, ..rust::Options::default() };
+        let warnings = [plant::never_enabled(plant, &closed), races.diagnostics(plant, &closed)].concat();
+        Ok((rust::text(&tables, &options), warnings))
     }
 }
 

@@ -82,6 +82,11 @@ impl<T: Copy + Eq + Hash> Rows<T> {
         id
     }
 
+    /// The id of `row`, if it was interned.
+    pub(crate) fn find(&self, row: &[T]) -> Option<u32> {
+        self.index.find(hash(row), |&id| self.get(id) == row).copied()
+    }
+
     /// Bytes held.
     pub(crate) fn memory(&self) -> usize {
         // The index has a byte of its own beside each id.

@@ -283,6 +283,29 @@ fn plants_are_compiled_by_their_extension() -> io::Result<()> {
     Ok(())
 }
 
+/// Generated files say how they were made, as far as it was not by default.
+#[test]
+fn plants_can_be_followed_instead_of_read() -> io::Result<()> {
+    let compile = "synth_core::build::Build::new().follow_events().compile(\"specs/cell.plant\");";
+    let package = Package::with_script("script-follow", compile)?;
+    package.write("specs/cell.plant", CLAMP)?;
+    let main = |what: &str, option: &str| {
+        format!(
+            "include!(concat!(env!(\"OUT_DIR\"), \"/cell.rs\"));\n\
+             const TEXT: &str = include_str!(concat!(env!(\"OUT_DIR\"), \"/cell.rs\"));\n\
+             fn main() {{ println!(\"{{:?}} {{}}\", {what}, TEXT.contains({option:?})); }}"
+        )
+    };
+    package.write("src/main.rs", &main("clamp::Controller::new().cycle().jaw", "--follow events"))?;
+    package.check_run("Some(Close) true");
+
+    let options = "plant_options(synth_core::plant::Options { extract: true, ..Default::default() })";
+    package.edit("build.rs", "follow_events()", options);
+    package.write("src/main.rs", &main("clamp::Outputs::default().air", "--target rust --extract"))?;
+    package.check_run("false true");
+    Ok(())
+}
+
 /// Build scripts are compiled without optimisation, and so are their dependencies.
 #[test]
 fn production_cell_takes_less_than_a_second() -> io::Result<()> {

@@ -2,10 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use sml_tests::beside::{Inputs, Running, compiled};
 use sml_tests::plant_builder::PlantBuilder;
 use sml_tests::plant_families::{philosophers, transfer_line};
 use sml_tests::random_plant;
 use sml_tests::reference::Reference;
+use sml_tests::tables::Random;
 use synth_core::controller::cycle::Machine;
 use synth_core::controller::json::{from_json, to_json};
 use synth_core::controller::tables::{Provenance, Tables};
@@ -510,6 +512,48 @@ fn the_station_runs() {
             }
         }
         assert!(times.iter().all(|&times| times > 200), "{times:?}");
+    }
+}
+
+/// Structured Text in the random plant: a few events before each call, of which none races another, and the commands are
+/// those of the feedback.
+#[test]
+fn structured_text_controls_plants() {
+    for (name, target) in [
+        ("distribution_station", Target::Iec),
+        ("transfer_line", Target::Siemens),
+        ("workcell", Target::Case),
+    ] {
+        let controlled = controlled(corpus(name));
+        let options = st::Options { target, trigger: st::Trigger::Level, ..st::Options::default() };
+        let unit = compiled(&st::text(&controlled.tables, &options).expect("it fits"), target);
+        let mut running = Running::new(&unit, &controlled.tables, &options);
+        let mut entry = controlled.closed.initial;
+        let mut random = Random::new(3);
+        let mut given = BTreeSet::new();
+        for _ in 0..2000 {
+            let mut events = vec![false; controlled.tables.events.len()];
+            for _ in 0..random.below(4) {
+                let edges = controlled.closed.edges(entry as usize);
+                let (event, target) = edges[random.below(edges.len() as u32) as usize];
+                if controlled.plant.events[event as usize].controllable || events[controlled.index(event)] {
+                    break;
+                }
+                events[controlled.index(event)] = true;
+                entry = target;
+            }
+            let outputs = running.call(&Inputs { enable: true, reset: false, events });
+            let outputs = outputs.expect("it runs");
+            assert!(!outputs.unexpected && !outputs.overrun, "{name}");
+            for (component, &code) in controlled.tables.components.iter().zip(&outputs.commands) {
+                if code != 0 {
+                    let command = controlled.id(&component.commands[code as usize - 1].operation);
+                    entry = controlled.after(entry, command).expect("the feedback allows it");
+                    given.insert(command);
+                }
+            }
+        }
+        assert!(given.len() >= 3, "{name}: {given:?}");
     }
 }
 

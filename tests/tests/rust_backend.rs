@@ -10,9 +10,14 @@ use sml_tests::scratch::Scratch;
 use sml_tests::tables::{self, Random, Size};
 use synth_core::controller::cycle::Machine;
 use synth_core::controller::tables::{Provenance, Tables};
-use synth_core::controller::{Controller, json};
-use synth_core::emit::rust::{Engine, Options, module, templates, text};
+use synth_core::controller::{Controller, Level, json};
+use synth_core::emit::rust::{Engine, Options, module, name_map, templates, text};
 use synth_core::emit::st;
+use synth_core::explore::Limits;
+use synth_core::pipeline::Timings;
+use synth_core::plant::pipeline::follow;
+use synth_core::plant::read;
+use synth_core::syntax::FileId;
 
 /// A module, the tables it is of, how they are searched, and the fields of its `Commands`.
 struct Case {
@@ -77,6 +82,24 @@ fn corpus_cases() -> Vec<Case> {
         Case { module: name, tables, engine, beside_text: true, fields }
     };
     corpus::controllers().into_iter().zip(Engine::ALL.iter().cycle()).map(case).collect()
+}
+
+/// Controllers that follow the events of plants: states with rows of events and a super step.
+fn followed_cases() -> Vec<Case> {
+    let names = ["cat_and_mouse", "distribution_station", "tank", "transfer_line"];
+    let case = |(name, &engine): (&str, &Engine)| {
+        let path = format!("{}/plants/{name}.plant", env!("CARGO_MANIFEST_DIR"));
+        let text = std::fs::read_to_string(path).expect("the corpus is readable");
+        let (plant, _) = read(&text, FileId(0)).expect("a plant");
+        let followed = follow(&plant, &Limits::default(), Level::Exact, &mut Timings::default());
+        let module = format!("{name}_followed");
+        let controller = followed.expect("a feedback").controller;
+        let tables = Tables::new(&module, &controller, Provenance::default());
+        let names = name_map(&tables);
+        let fields = names.components.into_iter().map(|component| component.output).collect();
+        Case { module, tables, engine, beside_text: true, fields }
+    };
+    names.into_iter().zip(Engine::ALL.iter().cycle()).map(case).collect()
 }
 
 /// `feed_arm` for `feedArm`.
@@ -209,7 +232,7 @@ fn write_crate(cases: &[Case]) -> std::io::Result<Scratch> {
 
 #[test]
 fn modules_have_no_warnings_and_step_as_the_contract_says() {
-    let cases: Vec<Case> = cases().into_iter().chain(corpus_cases()).collect();
+    let cases: Vec<Case> = cases().into_iter().chain(corpus_cases()).chain(followed_cases()).collect();
     let scratch = write_crate(&cases).expect("the crate is written");
 
     let lints =

@@ -6,7 +6,7 @@ use sml_tests::plant_naive::{self as naive, Constrained, Tuple};
 use sml_tests::random_plant;
 use synth_core::explore::Limits;
 use synth_core::plant::{
-    ClosedLoop, EventId, Plant, Reason, SuperviseError, Unavoidable, Why, supervise, why,
+    ClosedLoop, EventId, Plant, Reason, SuperviseError, Synthesis, Unavoidable, Why, supervise,
 };
 
 /// How many seeds; `SML_SEEDS` asks for a longer run.
@@ -124,10 +124,11 @@ fn feedback_is_maximally_permissive() {
     for seed in seeds(400) {
         let plant = random_plant::plant(seed);
         let Ok((closed, all, _)) = agreed(&plant, seed) else { continue };
+        let synthesis = Synthesis::new(&plant, &Limits::default()).expect("a feedback");
         for entry in 0..closed.len() {
             let states = tuple(closed.entry(entry));
             for &event in closed.inhibited(entry) {
-                let reason = why(&plant, &closed, entry, event).expect("a reason");
+                let reason = synthesis.why(&closed, entry, event).expect("a reason");
                 assert!(!reason.text(&plant).is_empty());
                 match (all.states[&states].get(&event), reason) {
                     (None, Why::Forbidden(sources)) => {
@@ -150,7 +151,7 @@ fn feedback_is_maximally_permissive() {
                 }
             }
             for &(event, _) in closed.edges(entry) {
-                assert_eq!(why(&plant, &closed, entry, event), None);
+                assert_eq!(synthesis.why(&closed, entry, event), None);
             }
         }
     }

@@ -5,14 +5,20 @@ use sml_tests::plant_families::{philosophers, transfer_line};
 use synth_core::diagnostic::Code;
 use synth_core::explore::Limits;
 use synth_core::plant::{
-    ClosedLoop, Figures, Plant, Realization, Reason, SuperviseError, Unavoidable, Why, supervise, why,
-    write_json,
+    ClosedLoop, EventId, Figures, Plant, Realization, Reason, SuperviseError, Synthesis, Unavoidable, Why,
+    supervise, write_json,
 };
 use synth_core::syntax::FileId;
 
 #[track_caller]
 fn feedback(plant: &Plant) -> ClosedLoop {
     supervise(plant, &Limits::default()).expect("a feedback")
+}
+
+/// Why an event is inhibited in an entry.
+fn why(plant: &Plant, closed: &ClosedLoop, entry: usize, event: EventId) -> Option<Why> {
+    let synthesis = Synthesis::new(plant, &Limits::default()).expect("a feedback");
+    synthesis.why(closed, entry, event)
 }
 
 #[track_caller]

@@ -2,7 +2,7 @@
 
 mod steps;
 
-use super::plant;
+use super::plant::{self, follow::Follow};
 use crate::failure::{Exit, Failure};
 use crate::options::Format;
 use crate::session::Session;
@@ -29,6 +29,9 @@ pub(crate) struct Arguments {
     /// If the specification is unrealizable: write the play that shows it as a Mermaid sequence diagram, `-` is stdout
     #[arg(long, value_name = "OUT")]
     sequence: Option<PathBuf>,
+    /// Plants: what the controller goes by; `states` otherwise
+    #[arg(long, value_enum)]
+    follow: Option<Follow>,
 }
 
 #[derive(Serialize)]
@@ -89,8 +92,9 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let given = input::given(&arguments.file)?;
     if given.is_plant {
         plant::refuse(&[("--sequence", drawing.is_some())])?;
-        return plant::check::run(&given, &arguments.warnings.policy(), session);
+        return plant::check::run(&given, &arguments.warnings.policy(), arguments.follow, session);
     }
+    plant::follow::refuse(arguments.follow)?;
     let loaded = session.parse(&given);
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;

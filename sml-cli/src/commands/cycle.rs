@@ -1,5 +1,6 @@
 //! `sml cycle`: a controller at work, cycle by cycle.
 
+use super::plant::follow::{self, Follow};
 use crate::failure::{Exit, Failure};
 use crate::options::Minimize;
 use crate::session::Session;
@@ -11,7 +12,7 @@ use synth_core::diagnostic::Code;
 /// Arguments of `sml cycle`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// The specification; `-` is stdin
+    /// The specification, or with `--follow events` a plant; `-` is stdin
     file: PathBuf,
     /// CSV: the header names events, each row is one cycle of 0 and 1
     #[arg(long, value_name = "CSV")]
@@ -24,6 +25,9 @@ pub(crate) struct Arguments {
     drain: bool,
     #[command(flatten)]
     minimize: Minimize,
+    /// Plants: what the controller goes by; only one that follows `events` has cycles
+    #[arg(long, value_enum, conflicts_with = "controller")]
+    follow: Option<Follow>,
 }
 
 pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
@@ -47,7 +51,12 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
 
 fn own(arguments: &Arguments, session: &mut Session) -> Result<Controller, Failure> {
     let level = arguments.minimize.level().map_err(Failure::unsupported)?;
-    let loaded = session.load(&arguments.file)?;
+    let given = input::given(&arguments.file)?;
+    if given.is_plant && Follow::events(arguments.follow) {
+        return Ok(follow::follow(&mut session.plant(&given)?, level, "", session)?.controller);
+    }
+    let loaded = session.specification_only(&given)?;
+    follow::refuse(arguments.follow)?;
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;
     Ok(session.synthesize(&loaded, &mut solved, level)?.controller)

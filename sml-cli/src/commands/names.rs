@@ -1,7 +1,9 @@
 //! `sml names`: what generated code calls events, components and codes.
 
+use super::plant::follow::{self, Follow};
 use crate::failure::{Exit, Failure};
-use crate::session::Session;
+use crate::input::Given;
+use crate::session::{ReadPlant, Session};
 use crate::{input, output};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -10,6 +12,7 @@ use synth_core::controller::interface;
 use synth_core::controller::tables::Tables;
 use synth_core::emit::{rust, st};
 use synth_core::pipeline::{alphabet, provenance};
+use synth_core::plant::event_based;
 
 /// Arguments of `sml names`.
 #[derive(Debug, clap::Args)]
@@ -21,6 +24,9 @@ pub(crate) struct Arguments {
     target: super::export::Target,
     #[command(flatten)]
     xml: super::export::Xml,
+    /// Plants: what the controller goes by; `states` otherwise
+    #[arg(long, value_enum)]
+    follow: Option<Follow>,
 }
 
 #[derive(Serialize)]
@@ -54,8 +60,12 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     use super::export::Target;
     arguments.xml.fits(arguments.target)?;
     let given = input::given(&arguments.file)?;
-    if given.is_plant {
+    let follows_events = Follow::events(arguments.follow);
+    if given.is_plant && !follows_events {
         return super::plant::names::run(&given, arguments.target, arguments.xml, session);
+    }
+    if follows_events {
+        super::plant::export::no_rungs(arguments.target)?;
     }
     let structured_text = arguments.target.structured_text(arguments.xml);
     match arguments.target {
@@ -66,18 +76,29 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
         _ if structured_text.is_some() => {}
         other => return Err(Failure::unsupported(&format!("--target {other}"))),
     }
-    let loaded = session.parse(&given);
-    let spec = session.specification(&loaded)?;
-    let explored = session.explore(&loaded, &spec)?;
-    // Names come from the whole graph, so there is no need to know who wins.
-    let controller = interface(&explored.game, &alphabet(&explored.playout));
-    let tables = Tables::new(&spec.name, &controller, provenance(&loaded, &spec));
+    let tables = if given.is_plant {
+        let ReadPlant { plant, provenance, .. } = session.plant(&given)?;
+        // Names come from the events, so there is no need to know the states.
+        Tables::new(&plant.name, &event_based::interface(&plant), provenance)
+    } else {
+        follow::refuse(arguments.follow)?;
+        of_specification(&given, session)?
+    };
     let names = match structured_text {
         Some(target) => st::names(&tables, &st::Options { target, ..st::Options::default() }),
         None => rust::name_map(&tables),
     };
     output::print(&json(&arguments.target.to_string(), &names))?;
     Ok(Exit::Done)
+}
+
+fn of_specification(given: &Given, session: &mut Session) -> Result<Tables, Failure> {
+    let loaded = session.parse(given);
+    let spec = session.specification(&loaded)?;
+    let explored = session.explore(&loaded, &spec)?;
+    // Names come from the whole graph, so there is no need to know who wins.
+    let controller = interface(&explored.game, &alphabet(&explored.playout));
+    Ok(Tables::new(&spec.name, &controller, provenance(&loaded, &spec)))
 }
 
 fn json(target: &str, names: &st::NameMap) -> String {

@@ -84,7 +84,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
         (None, None) => Opponent::Nobody,
     };
     let player = Player::new(&spec, session.semantics());
-    let player = player.map_err(|mistake| Failure::at(Exit::Wrong, *mistake, &loaded))?;
+    let player = player.map_err(|mistake| Failure::at(Exit::Wrong, *mistake, &loaded.sources))?;
     let mut table = Table::new(&loaded, player, opponent);
     begin(&mut table, format)?;
     match script {

@@ -32,7 +32,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let verified = session.synthesize(&loaded, &mut solved, level)?;
     let policy = arguments.warnings.policy();
     let warnings = session.warnings_beside(&loaded, &mut solved, &policy)?;
-    warnings::show(warnings, &policy, &loaded, session)?;
+    warnings::show(warnings, &policy, &loaded.sources, session)?;
     let controller = &verified.controller;
     output::product(arguments.output.as_deref(), &to_json(controller))?;
     let rows: usize = controller.environment.iter().map(Vec::len).sum();

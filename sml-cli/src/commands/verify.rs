@@ -36,7 +36,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let (exit, text) = match session.verify(&spec, &controller) {
         Ok(nodes) => (Exit::Done, accepted(nodes, session.format())),
         Err(pipeline::Failure::Unverified(refutation)) => (Exit::No, refuted(&refutation, session.format())),
-        Err(failure) => return Err(Failure::of(&failure, &loaded)),
+        Err(failure) => return Err(Failure::of(&failure, &loaded.sources)),
     };
     output::print(&text)?;
     Ok(exit)

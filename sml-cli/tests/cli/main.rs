@@ -7,6 +7,8 @@ mod files;
 mod graph;
 mod plants;
 mod plants_exported;
+mod plants_followed;
+mod plants_modular;
 mod plants_played;
 mod play;
 mod play_adversary;

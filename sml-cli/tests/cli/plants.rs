@@ -195,7 +195,7 @@ fn refused(arguments: &str, text: &str, code: i32, diagnostic: &str) -> Run {
 #[test]
 fn without_a_feedback_it_is_1_with_the_play() {
     let text = press("uncontrollable");
-    for arguments in ["supervise -", "export - --target il", "export - --target dot", "names - --target iec"]
+    for arguments in ["supervise -", "export - --target il", "export - --target dot", "supervise - --modular"]
     {
         let run = refused(arguments, &text, 1, "SML0140");
         assert!(run.stdout.is_empty() && run.stderr.contains("press  (the controller)"), "{}", run.stderr);
@@ -205,6 +205,16 @@ fn without_a_feedback_it_is_1_with_the_play() {
     assert!(run.stdout.ends_with("Oven: not realizable\n"), "{}", run.stdout);
     let found = sml_reading("check - --format json", text.as_bytes()).json();
     assert_eq!((&found["realizable"], &found["entries"]), (&json!(false), &Value::Null));
+    let explanation = &found["explanation"];
+    let expected = json!({
+        "cause": "never", "constraints": ["Whole"], "unmarked": [], "play": ["press", "burst"],
+        "steps": [
+            { "event": "press", "side": "system", "forced": false },
+            { "event": "burst", "side": "environment", "forced": true },
+        ],
+        "state": { "Press": "Broken" },
+    });
+    assert_eq!(*explanation, expected);
     assert_eq!(
         (&found["diagnostics"][0]["line"], &found["diagnostics"][0]["column"]),
         (&json!(10), &json!(14))

@@ -36,12 +36,12 @@ pub struct ComponentTable {
     pub codes: Vec<u32>,
 }
 
-/// A scenario's name and requirement, for comments.
+/// A scenario's or constraint's name and requirement, for comments.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Requirement {
-    /// `Collaboration.Scenario`.
+    /// `Collaboration.Scenario`, or the name of a constraint.
     pub scenario: String,
-    /// `assumption`, `guarantee` or `existential`.
+    /// `assumption`, `guarantee` or `existential`; `constraint` of a plant.
     pub kind: &'static str,
     /// Its `///` lines.
     pub text: Vec<String>,

@@ -500,6 +500,26 @@ codes! {
          automaton Door { initial state Shut [!Motor] { open -> Ajar } state Ajar [Motor] }\n\
          Right:  controllable open { set Motor }  constraint Safe: open only when Door.Shut\n        \
          automaton Door { initial state Shut [!Motor] { open -> Ajar } state Ajar [Motor] }\n";
+    Race = 145, "events that one scan cannot tell apart",
+        "A controller that follows events sees which ones have come since its last scan, not in which order. If these\n\
+         come in the order shown, all within one scan, it takes them for something else, or one of them fits nowhere any\n\
+         more: from then on it is wrong about the plant. If the last of them is a command, the event in front of it came\n\
+         too late to be seen when the command was given, and is not possible behind it.\n\n\
+         Make sure that these events cannot come within one scan: let scans be shorter than the plant takes for them. Or\n\
+         tell the plant better: allow both orders, with the same state behind them, or put a state between the events\n\
+         that lasts. If neither will do, let the controller read states instead of following events.\n";
+    Conflict = 146, "modules that conflict",
+        "Every constraint has a supervisor of its own that keeps a way to its marked states. All of them together do not:\n\
+         the automata can come into the states shown, and no way leads from there to a state in which all are marked. Two\n\
+         users who take the same two tools in different order are an example.\n\n\
+         The plant as a whole may have a feedback all the same: supervise it without `--modular`. If it is too large for\n\
+         that, write the constraints that block each other as one constraint automaton, or add one that keeps them apart.\n";
+    ConflictUnknown = 147, "modules that may conflict",
+        "Whether supervisors of single constraints block each other shows only in their product, and that is too large.\n\
+         What they forbid is right: no constraint is violated. But a state could be reached from which no state leads on\n\
+         in which all automata are marked.\n\n\
+         Raise `--max-states`, or mark only where somebody really has to come back: where all states are marked, nothing\n\
+         can conflict.\n";
 }
 
 #[cfg(test)]

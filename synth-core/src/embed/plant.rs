@@ -2,34 +2,46 @@
 
 use super::Expander;
 use super::attribute::{Attribute, Wrong, take_off};
+use crate::controller::Level;
+use crate::controller::tables::{Provenance, Tables};
 use crate::diagnostic::{Code, Diagnostic, compile_errors, compile_errors_at};
-use crate::emit::rust::scan;
+use crate::emit::rust::{self, scan};
 use crate::emit::scan::Source;
 use crate::pipeline::{Failure, Timings};
-use crate::plant::{DontCare, Loaded, Options, pipeline};
+use crate::plant::{DontCare, Loaded, Options, event_based, pipeline};
 use crate::syntax;
 use proc_macro2::{Span, TokenStream};
 
 /// What outputs name as the file of a plant that has none.
 const INLINE: &str = "plant!";
 
-/// Takes `#![dont_care = "…"]` and `#![extract]` off the beginning of the macro's input, which may have none.
+/// What is asked for in front of a plant.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Choice {
+    /// What program is made.
+    pub options: Options,
+    /// The controller follows events instead of reading states.
+    pub follows_events: bool,
+}
+
+/// Takes `#![dont_care = "…"]`, `#![extract]` and `#![follow = "…"]` off the beginning of the macro's input, which may have none.
 ///
 /// # Errors
 ///
 /// A `compile_error!` at what is wrong with them.
-pub fn options(tokens: &TokenStream) -> Result<(Options, TokenStream), TokenStream> {
-    const EXPECTED: &str = "`#![dont_care = \"…\"]` or `#![extract]`";
-    let mut options = Options::default();
+pub fn options(tokens: &TokenStream) -> Result<(Choice, TokenStream), TokenStream> {
+    const EXPECTED: &str = "`#![dont_care = \"…\"]`, `#![extract]` or `#![follow = \"…\"]`";
+    let mut choice = Choice::default();
     let rest = take_off(tokens, EXPECTED, |Attribute { name, value, span }| {
         match (name.to_string().as_str(), value) {
-            ("dont_care", Some((value, at))) => options.dont_care = dont_care(value, *at)?,
-            ("extract", None) => options.extract = true,
+            ("dont_care", Some((value, at))) => choice.options.dont_care = dont_care(value, *at)?,
+            ("extract", None) => choice.options.extract = true,
+            ("follow", Some((value, at))) => choice.follows_events = follows_events(value, *at)?,
             _ => return Err((*span, format!("expected {EXPECTED}"))),
         }
         Ok(())
     })?;
-    Ok((options, rest))
+    Ok((choice, rest))
 }
 
 fn dont_care(text: &str, at: Span) -> Result<DontCare, Wrong> {
@@ -41,11 +53,19 @@ fn dont_care(text: &str, at: Span) -> Result<DontCare, Wrong> {
     }
 }
 
+fn follows_events(text: &str, at: Span) -> Result<bool, Wrong> {
+    match text {
+        "states" => Ok(false),
+        "events" => Ok(true),
+        _ => Err((at, format!("a controller cannot follow `{text}`; there are `states` and `events`"))),
+    }
+}
+
 /// The controller of a plant written in the macro, or a `compile_error!` at each token that is wrong.
 #[must_use]
-pub fn inline(tokens: &TokenStream, options: Options, expander: Expander) -> TokenStream {
+pub fn inline(tokens: &TokenStream, choice: Choice, expander: Expander) -> TokenStream {
     let loaded = Loaded::of_tokens(INLINE, tokens);
-    module(&loaded, options, expander).unwrap_or_else(|diagnostics| {
+    module(&loaded, choice, expander).unwrap_or_else(|diagnostics| {
         let diagnostics: Vec<_> = diagnostics.into_iter().map(advise_inline).collect();
         compile_errors(&diagnostics, tokens, &syntax::Loaded::default())
     })
@@ -53,19 +73,32 @@ pub fn inline(tokens: &TokenStream, options: Options, expander: Expander) -> Tok
 
 /// The controller of a plant in a file, or a `compile_error!` at `span` for each mistake that shows its place.
 #[must_use]
-pub fn file(path: &str, bytes: &[u8], span: Span, options: Options, expander: Expander) -> TokenStream {
+pub fn file(path: &str, bytes: &[u8], span: Span, choice: Choice, expander: Expander) -> TokenStream {
     let loaded = Loaded::of_file(path, bytes);
-    module(&loaded, options, expander)
+    module(&loaded, choice, expander)
         .unwrap_or_else(|diagnostics| compile_errors_at(span, &diagnostics, &loaded.sources))
 }
 
-fn module(loaded: &Loaded, options: Options, expander: Expander) -> Result<TokenStream, Vec<Diagnostic>> {
+fn module(loaded: &Loaded, choice: Choice, expander: Expander) -> Result<TokenStream, Vec<Diagnostic>> {
     let (plant, _) = loaded.plant.as_ref().map_err(Clone::clone)?;
     let limits = expander.options().limits;
-    let supervised = pipeline::control(plant, &limits, options, &mut Timings::default());
-    let supervised = supervised.map_err(|failure| advise(&failure, loaded, expander))?;
-    let program = &supervised.feedback.program;
-    Ok(scan::module(&Source { program, events: &plant.events, provenance: &loaded.provenance }))
+    let timings = &mut Timings::default();
+    let provenance = loaded.provenance.clone();
+    let module = if choice.follows_events {
+        pipeline::follow(plant, &limits, Level::default(), timings).map(|followed| {
+            let options = " --follow events".to_owned();
+            let provenance = event_based::provenance(plant, Provenance { options, ..provenance });
+            let tables = Tables::new(&plant.name, &followed.controller, provenance);
+            rust::module(&tables, &rust::Options::default())
+        })
+    } else {
+        pipeline::control(plant, &limits, choice.options, timings).map(|supervised| {
+            let provenance = Provenance { options: choice.options.words(), ..provenance };
+            let program = &supervised.feedback.program;
+            scan::module(&Source { program, events: &plant.events, provenance: &provenance })
+        })
+    };
+    module.map_err(|failure| advise(&failure, loaded, expander))
 }
 
 fn advise(failure: &Failure, loaded: &Loaded, expander: Expander) -> Vec<Diagnostic> {
@@ -85,7 +118,7 @@ fn advise_inline(diagnostic: Diagnostic) -> Diagnostic {
 
 #[cfg(test)]
 mod tests {
-    use super::{Expander, Options, inline};
+    use super::{Choice, Expander, inline};
     use proc_macro2::TokenStream;
 
     #[test]
@@ -99,9 +132,9 @@ mod tests {
             })
             .collect();
         let tokens: TokenStream = format!("plant Lamps {{ {lamps} }}").parse().expect("tokens");
-        let shown = inline(&tokens, Options::default(), Expander::Editor).to_string();
+        let shown = inline(&tokens, Choice::default(), Expander::Editor).to_string();
         for part in
-            ["the limit of 10000 states was reached", "goes on to 100000", "compile(\\\"cell.plant\\\")"]
+            ["the limit of 10000 states is too small", "goes on to 100000", "compile(\\\"cell.plant\\\")"]
         {
             assert!(shown.contains(part), "{part}: {shown}");
         }

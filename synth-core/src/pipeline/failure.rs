@@ -4,6 +4,7 @@ use super::Figures;
 use crate::diagnostic::{Code, Diagnostic, counted};
 use crate::explain::Explanation;
 use crate::explore::{ExploreError, LimitReached};
+use crate::plant::Unavoidable;
 use crate::syntax::Span;
 use crate::verify::{Refutation, VerifyError};
 
@@ -15,7 +16,7 @@ pub enum Failure {
     /// No controller can meet it.
     Unrealizable(Box<Unrealizable>),
     /// No feedback keeps the constraints of a plant.
-    Refused(Box<Diagnostic>),
+    Refused(Box<Refused>),
     /// A limit was reached.
     Limit(LimitReached),
     /// The controller did not pass verification. This is a mistake of this project, never of the specification.
@@ -33,7 +34,7 @@ impl Failure {
         match self {
             Failure::Wrong(diagnostics) => diagnostics.clone(),
             Failure::Unrealizable(unrealizable) => vec![unrealizable.diagnostic.clone()],
-            Failure::Refused(diagnostic) => vec![(**diagnostic).clone()],
+            Failure::Refused(refused) => vec![refused.diagnostic.clone()],
             Failure::Limit(limit) => vec![
                 general(
                     Code::LimitReached,
@@ -97,4 +98,13 @@ pub struct Unrealizable {
     pub diagnostic: Diagnostic,
     /// Why, as data.
     pub explanation: Explanation,
+}
+
+/// What is known of a plant whose constraints no feedback keeps.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Refused {
+    /// Why, as a message.
+    pub diagnostic: Diagnostic,
+    /// Why, as data.
+    pub unavoidable: Unavoidable,
 }

@@ -6,7 +6,7 @@ mod failure;
 mod figures;
 mod origin;
 
-pub use failure::{Failure, Unrealizable};
+pub use failure::{Failure, Refused, Unrealizable};
 pub use figures::Figures;
 pub use origin::{alphabet, provenance};
 

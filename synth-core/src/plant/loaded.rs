@@ -4,7 +4,7 @@ use super::{Plant, parse_tokens, print, read, resolved};
 use crate::controller::tables::Provenance;
 use crate::diagnostic::Diagnostic;
 use crate::fnv::Fnv;
-use crate::syntax::{FileId, Sources, decode};
+use crate::syntax::{FileId, Sources, decode, shown};
 use proc_macro2::TokenStream;
 
 /// What became of a file, or of the input of a macro.
@@ -29,9 +29,7 @@ impl Loaded {
                 (read(text, file), hash(sources.text(file)))
             }
             Err(diagnostic) => {
-                // What is no text at all shows nothing.
-                sources
-                    .add(path, if bytes.contains(&0) { "".into() } else { String::from_utf8_lossy(bytes) });
+                sources.add(path, shown(bytes));
                 (Err(vec![*diagnostic]), hash(""))
             }
         };

@@ -58,7 +58,7 @@ pub use model::{
     Automaton, AutomatonId, Command, Constraint, Edge, Event, EventId, Plant, Rule, Signal, SignalId,
     SignalKind, State, StateRef,
 };
-pub use modular::{Modular, ModularError, Module, modular};
+pub use modular::{Modular, ModularError, Module, Part, modular};
 pub use never_enabled::never_enabled;
 pub use parse::{RESERVED, parse_text, parse_tokens};
 pub use print::print;
@@ -67,9 +67,9 @@ pub use readable::unreadable;
 pub use refusal::{Reason, Source, Unavoidable};
 pub use resolve::resolve;
 pub use state_feedback::{Options, StateFeedback, state_feedback};
-pub use supremal::{SuperviseError, supervise};
+pub use supremal::{SuperviseError, Synthesis, supervise};
 pub use warnings::warnings;
-pub use why::{Why, why};
+pub use why::Why;
 
 use crate::diagnostic::Diagnostic;
 use crate::syntax::FileId;

@@ -1,8 +1,9 @@
 //! Controllable events that the feedback enables nowhere, and why.
 
 use super::refusal::{Source, forbidding};
-use super::{ClosedLoop, EventId, Plant, Why, why};
+use super::{ClosedLoop, EventId, Plant, Synthesis, Why};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::explore::Limits;
 
 /// Up to so many states what would follow an event is explored again, to tell what is wrong with it.
 const MOST_EXPLAINED: u64 = 20_000;
@@ -104,11 +105,15 @@ fn everywhere_inhibited(
     if let Some(&entry) = ahead.first() {
         let mut note = format!("in {} of them because of what would follow", ahead.len());
         if closed.constrained.0 <= MOST_EXPLAINED
-            && let Some(Why::Unavoidable(unavoidable)) = why(plant, closed, entry, event)
+            && let Some(Why::Unavoidable(unavoidable)) = explained(plant, closed, entry, event)
         {
             note = format!("{note}, such as: {}", unavoidable.text(plant));
         }
         warning = warning.note(note);
     }
     warning.help("weaken the constraints, or remove the event")
+}
+
+fn explained(plant: &Plant, closed: &ClosedLoop, entry: usize, event: EventId) -> Option<Why> {
+    Synthesis::new(plant, &Limits::default()).ok()?.why(closed, entry, event)
 }

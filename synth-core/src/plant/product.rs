@@ -179,7 +179,7 @@ pub(super) fn count(plant: &Plant, limits: &Limits) -> Option<(u64, u64)> {
 }
 
 /// Components that share events, directly or through others, each group in ascending order.
-fn groups(plant: &Plant) -> Vec<Vec<AutomatonId>> {
+pub(super) fn groups(plant: &Plant) -> Vec<Vec<AutomatonId>> {
     let mut leader: Vec<usize> = (0..plant.components).collect();
     let mut names: Vec<Option<usize>> = vec![None; plant.events.len()];
     for component in 0..plant.components {

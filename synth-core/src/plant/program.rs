@@ -1,6 +1,6 @@
 //! A program of rungs: what all back ends of this route write.
 
-use super::EventId;
+use super::{EventId, Plant, Signal, SignalKind};
 use crate::logic::{Expr, Var};
 
 /// Rungs, done in their order once a scan; a coil is seen by the rungs below it.
@@ -16,6 +16,30 @@ pub struct Program {
     pub analogues: Vec<String>,
     /// In the order of a scan.
     pub rungs: Vec<Rung>,
+}
+
+impl Program {
+    /// The signals of a plant and no rungs; relays are off at first.
+    #[must_use]
+    pub fn without_rungs(plant: &Plant) -> Program {
+        let variable = |signal: &Signal| Variable {
+            name: signal.name.clone(),
+            usage: match signal.kind {
+                SignalKind::Input => Use::Input,
+                SignalKind::Output => Use::Output,
+                SignalKind::Memory => Use::Memory(false),
+                SignalKind::Range { analogue, low, high } => Use::Range(analogue, low, high),
+            },
+            doc: signal.doc.clone(),
+        };
+        Program {
+            name: plant.name.clone(),
+            doc: plant.doc.clone(),
+            variables: plant.signals.iter().map(variable).collect(),
+            analogues: plant.analogues.clone(),
+            rungs: Vec::new(),
+        }
+    }
 }
 
 /// A Boolean of a program.

@@ -68,8 +68,8 @@ pub struct Unavoidable {
 }
 
 impl Unavoidable {
-    /// From state 0, which goes.
-    pub(super) fn find(plant: &Plant, product: &Product<'_>, fates: &[Fate]) -> Self {
+    /// From a state that goes.
+    pub(super) fn find(plant: &Plant, product: &Product<'_>, fates: &[Fate], start: u32) -> Self {
         let is_end = |state: u32| fates[state as usize].round() == 1 && fates[state as usize].by_itself();
         let follows = |state: u32, edge: usize| {
             let target = product.target[edge];
@@ -79,14 +79,14 @@ impl Unavoidable {
                 !plant.events[product.event[edge] as usize].controllable && fates[target as usize].is_gone()
             }
         };
-        let (play, end) = shortest(product, follows, is_end);
+        let (play, end) = shortest(product, start, follows, is_end);
         Unavoidable::new(plant, product, play, end)
     }
 
     /// From state 0 to the first bad state.
     pub(super) fn to_bad(plant: &Plant, product: &Product<'_>) -> Option<Self> {
         let &bad = product.bad.first()?;
-        let (play, end) = shortest(product, |_, _| true, |state| state == bad);
+        let (play, end) = shortest(product, 0, |_, _| true, |state| state == bad);
         Some(Unavoidable::new(plant, product, play, end))
     }
 
@@ -201,19 +201,20 @@ fn blocked(plant: &Plant, unmarked: &[AutomatonId], forbidden: &[(EventId, Sourc
     diagnostic
 }
 
-/// A shortest way from state 0 to an end along edges that are followed, and that end, which must exist.
+/// A shortest way from a state to an end along edges that are followed, and that end, which must exist.
 fn shortest(
     product: &Product<'_>,
+    start: u32,
     follows: impl Fn(u32, usize) -> bool,
     is_end: impl Fn(u32) -> bool,
 ) -> (Vec<EventId>, u32) {
     const UNSEEN: u32 = u32::MAX;
     // Per state the edge that it was reached by, and where this begins.
     let mut by = vec![(UNSEEN, UNSEEN); product.rows.len()];
-    by[0].0 = 0;
-    let mut queue = vec![0];
+    by[start as usize].0 = start;
+    let mut queue = vec![start];
     let mut next = 0;
-    let mut end = 0;
+    let mut end = start;
     while let Some(&state) = queue.get(next) {
         next += 1;
         end = state;
@@ -230,7 +231,7 @@ fn shortest(
     }
     let mut play = Vec::new();
     let mut state = end;
-    while state != 0 {
+    while state != start {
         let (source, edge) = by[state as usize];
         play.push(product.event[edge as usize]);
         state = source;

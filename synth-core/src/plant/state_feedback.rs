@@ -30,6 +30,25 @@ pub struct Options {
     pub extract: bool,
 }
 
+impl Options {
+    /// As in a command line, each with a space in front, as far as they are not the defaults.
+    #[must_use]
+    pub fn words(self) -> String {
+        let Options { dont_care, two_level, share, extract } = self;
+        let mut words = String::new();
+        for (word, is_given) in [
+            (" --dont-care decodable", dont_care == DontCare::Decodable),
+            (" --dont-care all", dont_care == DontCare::All),
+            (" --two-level", two_level),
+            (" --share", share),
+            (" --extract", extract),
+        ] {
+            words.push_str(if is_given { word } else { "" });
+        }
+        words
+    }
+}
+
 /// A feedback as formulas and as a program.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct StateFeedback {
@@ -180,7 +199,7 @@ fn coil(command: &Command) -> Coil {
 }
 
 /// `name`, or with a number if that is taken, without regard to case.
-fn unique(variables: &[Variable], name: &str) -> String {
+pub(super) fn unique(variables: &[Variable], name: &str) -> String {
     let taken = |name: &str| variables.iter().any(|variable| variable.name.eq_ignore_ascii_case(name));
     let mut candidate = name.to_owned();
     let mut number = 2;

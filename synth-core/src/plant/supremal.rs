@@ -32,14 +32,39 @@ pub enum SuperviseError {
 /// # Errors
 /// A limit, an automaton that is too large, or no feedback exists.
 pub fn supervise(plant: &Plant, limits: &Limits) -> Result<ClosedLoop, SuperviseError> {
-    check_sizes(plant)?;
-    let product =
-        Product::explore(plant, &initial(plant), Scope::All, limits).map_err(SuperviseError::Limit)?;
-    let fates = fates(&product, plant);
-    if fates[0].is_gone() {
-        return Err(SuperviseError::Refused(Box::new(Unavoidable::find(plant, &product, &fates))));
+    Ok(Synthesis::new(plant, limits)?.closed_loop(limits))
+}
+
+/// What was explored for a feedback, and what became of each state: kept by who wants to know [why](Self::why) an event is
+/// inhibited.
+#[derive(Debug)]
+pub struct Synthesis<'p> {
+    pub(super) plant: &'p Plant,
+    pub(super) product: Product<'p>,
+    pub(super) fates: Vec<Fate>,
+}
+
+impl<'p> Synthesis<'p> {
+    /// Explores, and removes what has to go.
+    ///
+    /// # Errors
+    /// As [`supervise`].
+    pub fn new(plant: &'p Plant, limits: &Limits) -> Result<Self, SuperviseError> {
+        check_sizes(plant)?;
+        let product =
+            Product::explore(plant, &initial(plant), Scope::All, limits).map_err(SuperviseError::Limit)?;
+        let fates = fates(&product, plant);
+        if fates[0].is_gone() {
+            return Err(SuperviseError::Refused(Box::new(Unavoidable::find(plant, &product, &fates, 0))));
+        }
+        Ok(Synthesis { plant, product, fates })
     }
-    Ok(close(plant, &product, &fates, count(plant, limits)))
+
+    /// The plant under the feedback; the states of the components alone are counted within the limits.
+    #[must_use]
+    pub fn closed_loop(&self, limits: &Limits) -> ClosedLoop {
+        close(self.plant, &self.product, &self.fates, count(self.plant, limits))
+    }
 }
 
 /// States are numbered by 16 bits.

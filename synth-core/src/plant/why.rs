@@ -3,7 +3,7 @@
 use super::moves::{Candidates, Moves};
 use super::product::{Product, Scope};
 use super::refusal::{Source, Unavoidable, forbidding};
-use super::supremal::fates;
+use super::supremal::Synthesis;
 use super::{ClosedLoop, EventId, Plant};
 use crate::explore::Limits;
 
@@ -32,32 +32,35 @@ impl Why {
     }
 }
 
-/// Why a controllable event is inhibited in an entry; `None` if it is enabled, or the components do not allow it.
-///
-/// Nothing of the synthesis need be kept: what happens after the event is explored again, first what nobody can prevent, and
-/// only if nothing bad comes of this all that can happen. The second is as much work as the synthesis.
-///
-/// # Panics
-/// If there is no such entry.
-#[must_use]
-pub fn why(plant: &Plant, closed: &ClosedLoop, entry: usize, event: EventId) -> Option<Why> {
-    closed.inhibited(entry).binary_search(&event).ok()?;
-    let states = closed.entry(entry);
-    let sources = forbidding(plant, states, event);
-    if !sources.is_empty() {
-        return Some(Why::Forbidden(sources));
-    }
-    let target = after(plant, states, event)?;
-    // What follows was explored before, so it is within any limits.
-    let limits = Limits::default();
-    let unavoidable = match Product::explore(plant, &target, Scope::Uncontrollable, &limits) {
-        Ok(product) if !product.bad.is_empty() => Unavoidable::to_bad(plant, &product)?,
-        _ => {
-            let product = Product::explore(plant, &target, Scope::All, &limits).ok()?;
-            Unavoidable::find(plant, &product, &fates(&product, plant))
+impl Synthesis<'_> {
+    /// Why a controllable event is inhibited in an entry of the closed loop; `None` if it is enabled, or the components do not
+    /// allow it.
+    ///
+    /// What nobody can prevent behind the event is explored anew, which is little; the rest was found by the synthesis.
+    ///
+    /// # Panics
+    /// If there is no such entry.
+    #[must_use]
+    pub fn why(&self, closed: &ClosedLoop, entry: usize, event: EventId) -> Option<Why> {
+        closed.inhibited(entry).binary_search(&event).ok()?;
+        let Synthesis { plant, product, fates } = self;
+        let states = closed.entry(entry);
+        let sources = forbidding(plant, states, event);
+        if !sources.is_empty() {
+            return Some(Why::Forbidden(sources));
         }
-    };
-    Some(Why::Unavoidable(Box::new(unavoidable)))
+        let target = after(plant, states, event)?;
+        // What follows was explored before, so it is within any limits.
+        let forced = Product::explore(plant, &target, Scope::Uncontrollable, &Limits::default()).ok()?;
+        let unavoidable = if forced.bad.is_empty() {
+            let mut row = vec![0; product.packing.words()];
+            product.packing.pack(&target, &mut row);
+            Unavoidable::find(plant, product, fates, product.rows.find(&row)?)
+        } else {
+            Unavoidable::to_bad(plant, &forced)?
+        };
+        Some(Why::Unavoidable(Box::new(unavoidable)))
+    }
 }
 
 /// The automata's states after an event that can happen.

@@ -67,7 +67,14 @@ pub struct Warning(Code);
 impl Warning {
     /// All of them, in order.
     pub fn all() -> impl Iterator<Item = Warning> {
-        let of_plants = [Code::CaseOnly, Code::Misreadable, Code::Unnoticed, Code::NeverEnabled];
+        let of_plants = [
+            Code::CaseOnly,
+            Code::Misreadable,
+            Code::Unnoticed,
+            Code::NeverEnabled,
+            Code::Race,
+            Code::ConflictUnknown,
+        ];
         let is_warning =
             move |code: Code| matches!(code as u16, 90..=99 | 130..=132) || of_plants.contains(&code);
         Code::ALL.iter().copied().filter(move |&code| is_warning(code)).map(Warning)
@@ -136,11 +143,11 @@ mod tests {
 
     #[test]
     fn only_warnings() {
-        assert_eq!(Warning::all().count(), 17);
+        assert_eq!(Warning::all().count(), 19);
         assert_eq!(warning("97"), warning("sml0097"));
         for wrong in ["SML0070", "SML0100", "9", ""] {
             let error = wrong.parse::<Warning>().expect_err("no warning");
-            assert!(error.ends_with("SML0130, SML0131, SML0132, SML0138, SML0139, SML0144"), "{error}");
+            assert!(error.ends_with("SML0138, SML0139, SML0144, SML0145, SML0147"), "{error}");
         }
     }
 }

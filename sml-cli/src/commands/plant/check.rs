@@ -1,5 +1,7 @@
 //! `sml check` of a plant: verdict, figures, warnings, and why there is no feedback.
 
+use super::explanation::Explanation;
+use super::follow::Follow;
 use super::{Controlled, control};
 use crate::failure::{Exit, Failure};
 use crate::input::Given;
@@ -8,14 +10,16 @@ use crate::output;
 use crate::session::{ReadPlant, Session};
 use serde::Serialize;
 use serde_json::Value as Json;
+use synth_core::controller::Level;
 use synth_core::diagnostic::{Diagnostic, render, to_json};
-use synth_core::pipeline;
-use synth_core::plant::{ClosedLoop, Options};
+use synth_core::pipeline::{self, Refused};
+use synth_core::plant::pipeline::Followed;
+use synth_core::plant::{ClosedLoop, Options, never_enabled};
 use synth_core::quality::Policy;
 
 /// Figures are null if there is no feedback; those of the plant also if its states are too many to be counted.
 #[derive(Serialize)]
-struct Document {
+struct Document<'p> {
     version: u32,
     realizable: bool,
     plant_states: Option<u64>,
@@ -24,28 +28,48 @@ struct Document {
     constrained_transitions: Option<u64>,
     entries: Option<usize>,
     diagnostics: Json,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    explanation: Option<Explanation<'p>>,
 }
 
 pub(in crate::commands) fn run(
     given: &Given,
     policy: &Policy,
+    follow: Option<Follow>,
     session: &mut Session,
 ) -> Result<Exit, Failure> {
-    let ReadPlant { loaded, plant, warnings } = session.plant(given)?;
-    let (closed, mut diagnostics) = match control(&plant, Options::default(), session) {
-        Ok(Controlled { closed, .. }) => (Some(closed), Vec::new()),
-        Err(pipeline::Failure::Refused(why)) => (None, vec![*why]),
-        Err(failure) => return Err(Failure::of(&failure, &loaded)),
+    let ReadPlant { sources, plant, warnings, .. } = session.plant(given)?;
+    let found = if Follow::events(follow) {
+        session.follow(&plant, Level::default()).map(|Followed { closed, races, .. }| {
+            let found = [never_enabled(&plant, &closed), races.diagnostics(&plant, &closed)].concat();
+            (closed, found)
+        })
+    } else {
+        control(&plant, Options::default(), session).map(|Controlled { closed, .. }| {
+            let found = session.warnings_of_plant(Vec::new(), &plant, &closed);
+            (closed, found)
+        })
     };
-    diagnostics.extend(match &closed {
-        Some(closed) => session.warnings_of_plant(warnings, &plant, closed),
-        None => warnings,
-    });
+    let (closed, mut diagnostics, refused) = match found {
+        Ok((closed, found)) => {
+            let mut all = [warnings, found].concat();
+            all.sort_by_key(|warning| warning.span.start);
+            (Some(closed), all, None)
+        }
+        Err(pipeline::Failure::Refused(refused)) => {
+            let Refused { diagnostic, unavoidable } = *refused;
+            (None, [vec![diagnostic], warnings].concat(), Some(unavoidable))
+        }
+        Err(failure) => return Err(Failure::of(&failure, &sources)),
+    };
     policy.apply(&mut diagnostics);
     output::print(&match session.format() {
-        Format::Json => json(closed.as_ref(), to_json(&diagnostics, &loaded.sources)),
+        Format::Json => {
+            let explanation = refused.as_ref().map(|unavoidable| Explanation::new(&plant, unavoidable));
+            json(closed.as_ref(), to_json(&diagnostics, &sources), explanation)
+        }
         Format::Text => {
-            let shown = render(&diagnostics, &loaded.sources, session.color(&std::io::stdout()));
+            let shown = render(&diagnostics, &sources, session.color(&std::io::stdout()));
             shown + &text(&plant.name, closed.as_ref())
         }
     })?;
@@ -54,7 +78,7 @@ pub(in crate::commands) fn run(
     Ok(if closed.is_some() && !denied { Exit::Done } else { Exit::No })
 }
 
-fn json(closed: Option<&ClosedLoop>, diagnostics: Json) -> String {
+fn json(closed: Option<&ClosedLoop>, diagnostics: Json, explanation: Option<Explanation<'_>>) -> String {
     let (plant_states, plant_transitions) = closed.and_then(|closed| closed.plant).unzip();
     let (constrained_states, constrained_transitions) = closed.map(|closed| closed.constrained).unzip();
     let document = Document {
@@ -66,6 +90,7 @@ fn json(closed: Option<&ClosedLoop>, diagnostics: Json) -> String {
         constrained_transitions,
         entries: closed.map(ClosedLoop::len),
         diagnostics,
+        explanation,
     };
     format!("{}\n", serde_json::to_string(&document).expect("strings and numbers always serialize"))
 }

@@ -1,7 +1,10 @@
 //! What subcommands do with plants: state feedback instead of play-out.
 
 pub(super) mod check;
+mod explanation;
 pub(super) mod export;
+pub(super) mod follow;
+mod modular;
 pub(super) mod names;
 pub(super) mod play;
 pub(super) mod rungs;
@@ -14,8 +17,16 @@ use synth_core::plant::{ClosedLoop, Options, Plant, StateFeedback};
 
 /// Refuses options, each with whether it is given, that mean something to specifications only.
 pub(super) fn refuse(options: &[(&str, bool)]) -> Result<(), Failure> {
-    match options.iter().find(|(_, is_given)| *is_given) {
-        Some((option, _)) => Err(Failure::usage(format!("`{option}` means nothing to a plant"))),
+    refuse_given(options.iter().copied(), "a plant")
+}
+
+/// Refuses options, each with whether it is given, that mean nothing to something.
+fn refuse_given<'o>(
+    options: impl IntoIterator<Item = (&'o str, bool)>,
+    something: &str,
+) -> Result<(), Failure> {
+    match options.into_iter().find(|(_, is_given)| *is_given) {
+        Some((option, _)) => Err(Failure::usage(format!("`{option}` means nothing to {something}"))),
         None => Ok(()),
     }
 }

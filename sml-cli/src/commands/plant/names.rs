@@ -9,6 +9,7 @@ use crate::session::{ReadPlant, Session};
 use serde::Serialize;
 use synth_core::emit::scan::{NameMap, Source, list};
 use synth_core::emit::{rust, st};
+use synth_core::pipeline;
 use synth_core::plant::{Options, Program};
 
 #[derive(Serialize)]
@@ -44,11 +45,17 @@ pub(in crate::commands) fn run(
         (Target::Il, _) => Box::new(list::names),
         _ => return Err(Failure::usage(format!("target `{target}` gives nothing a name"))),
     };
-    let ReadPlant { loaded, plant, .. } = session.plant(given)?;
-    let controlled = control(&plant, Options::default(), session);
-    let feedback = controlled.map_err(|failure| Failure::of(&failure, &loaded))?.feedback;
-    let program = &feedback.ok_or_else(|| super::export::no_signals(&plant.name, target))?.program;
-    let provenance = super::export::provenance(&loaded, String::new());
+    let ReadPlant { sources, plant, provenance, .. } = session.plant(given)?;
+    if plant.signals.is_empty() {
+        return Err(super::export::no_signals(&plant.name, target));
+    }
+    let program = match control(&plant, Options::default(), session) {
+        Ok(controlled) => controlled.feedback.map(|feedback| feedback.program),
+        // Names are the plant's, whether or not something can keep its constraints.
+        Err(pipeline::Failure::Refused(_)) => None,
+        Err(failure) => return Err(Failure::of(&failure, &sources)),
+    };
+    let program = &program.unwrap_or_else(|| Program::without_rungs(&plant));
     let map = names(&Source { program, events: &plant.events, provenance: &provenance });
     let events: Vec<&str> =
         plant.events.iter().filter(|event| event.controllable).map(|event| event.name.as_str()).collect();

@@ -18,6 +18,9 @@ pub(crate) struct Rungs {
     /// Plants: at most one event a scan, the first in the order of the file
     #[arg(long)]
     extract: bool,
+    /// Plants: a supervisor per constraint, with the components that it is about, where the product of all is too large
+    #[arg(long, conflicts_with = "share")]
+    modular: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
@@ -32,13 +35,14 @@ enum DontCare {
 
 impl Rungs {
     /// The options, and whether they are given.
-    pub(crate) fn given(self) -> [(&'static str, bool); 4] {
-        let Rungs { dont_care, two_level, share, extract } = self;
+    pub(crate) fn given(self) -> [(&'static str, bool); 5] {
+        let Rungs { dont_care, two_level, share, extract, modular } = self;
         [
             ("--dont-care", dont_care.is_some()),
             ("--two-level", two_level),
             ("--share", share),
             ("--extract", extract),
+            ("--modular", modular),
         ]
     }
 
@@ -55,14 +59,13 @@ impl Rungs {
         }
     }
 
+    /// Whether every constraint is supervised by itself.
+    pub(super) fn is_modular(self) -> bool {
+        self.modular
+    }
+
     /// As in a command line, as far as they are not the defaults.
     pub(super) fn words(self) -> String {
-        let dont_care = match self.dont_care {
-            Some(DontCare::All) => " --dont-care all",
-            Some(DontCare::Decodable) => " --dont-care decodable",
-            Some(DontCare::None) | None => "",
-        };
-        let flags = self.given().into_iter().skip(1).filter(|(_, is_given)| *is_given);
-        flags.fold(dont_care.to_owned(), |words, (flag, _)| format!("{words} {flag}"))
+        format!("{}{}", self.options().words(), if self.modular { " --modular" } else { "" })
     }
 }

@@ -1,7 +1,7 @@
 //! `sml supervise`: state feedback as figures, a table and formulas.
 
 use super::rungs::Rungs;
-use super::{Controlled, control};
+use super::{Controlled, control, modular};
 use crate::failure::{Exit, Failure, nowhere};
 use crate::options::Format;
 use crate::session::{ReadPlant, Session};
@@ -32,11 +32,23 @@ pub(in crate::commands) fn run(arguments: &Arguments, session: &mut Session) -> 
     if !given.begins_a_plant() {
         return Err(no_plant(&given.name));
     }
-    let ReadPlant { loaded, plant, warnings: found } = session.plant(&given)?;
+    let ReadPlant { sources, plant, warnings: found, .. } = session.plant(&given)?;
+    if rungs.is_modular() {
+        let supervised = session.control_modular(&plant, rungs.options());
+        let supervised = supervised.map_err(|failure| Failure::of(&failure, &sources))?;
+        let found = [found, supervised.modular.warnings()].concat();
+        warnings::show(found, &warnings.policy(), &sources, session)?;
+        let text = match session.format() {
+            Format::Json => modular::json(&plant, &supervised),
+            Format::Text => modular::text(&plant, &supervised),
+        };
+        output::product(output.as_deref(), &text)?;
+        return Ok(Exit::Done);
+    }
     let controlled = control(&plant, rungs.options(), session);
-    let controlled = controlled.map_err(|failure| Failure::of(&failure, &loaded))?;
+    let controlled = controlled.map_err(|failure| Failure::of(&failure, &sources))?;
     let found = session.warnings_of_plant(found, &plant, &controlled.closed);
-    warnings::show(found, &warnings.policy(), &loaded, session)?;
+    warnings::show(found, &warnings.policy(), &sources, session)?;
     let text = match session.format() {
         Format::Json => json(&plant, &controlled),
         Format::Text => text(&plant, &controlled),
@@ -66,23 +78,26 @@ pub(super) fn json(plant: &Plant, controlled: &Controlled) -> String {
 
 fn text(plant: &Plant, controlled: &Controlled) -> String {
     let closed = &controlled.closed;
-    let mut text = format!("{}\n{}", closed.figures(), closed.table(plant));
-    match &controlled.feedback {
-        None => text.push_str("\nno formulas: the plant declares no inputs and outputs\n"),
-        Some(StateFeedback { formulas, program }) => {
-            let figures = program.figures();
-            text.push('\n');
-            for formula in formulas {
-                let event = &plant.events[formula.event as usize].name;
-                text.push_str(&format!("{event}: {}\n", formula.words(program)));
-            }
-            text.push_str(&format!(
-                "\n{}, {} in an instruction list, at most {} on the stack\n",
-                counted(figures.rungs, "rung"),
-                counted(figures.instructions, "instruction"),
-                counted(figures.stack_depth, "Boolean"),
-            ));
-        }
-    }
+    let formulas = formulas(plant, controlled.feedback.as_ref());
+    format!("{}\n{}\n{formulas}", closed.figures(), closed.table(plant))
+}
+
+/// The formulas, and what the program costs.
+pub(super) fn formulas(plant: &Plant, feedback: Option<&StateFeedback>) -> String {
+    let Some(StateFeedback { formulas, program }) = feedback else {
+        return "no formulas: the plant declares no inputs and outputs\n".to_owned();
+    };
+    let formulas = formulas.iter().map(|formula| {
+        let event = &plant.events[formula.event as usize].name;
+        format!("{event}: {}\n", formula.words(program))
+    });
+    let mut text: String = formulas.collect();
+    let figures = program.figures();
+    text.push_str(&format!(
+        "\n{}, {} in an instruction list, at most {} on the stack\n",
+        counted(figures.rungs, "rung"),
+        counted(figures.instructions, "instruction"),
+        counted(figures.stack_depth, "Boolean"),
+    ));
     text
 }

@@ -234,7 +234,7 @@ pub(super) fn show(happened: &[Happened], table: &Table<'_>, format: Format) -> 
 
 pub(super) fn failure(wrong: Trouble, event: &str, table: &mut Table<'_>) -> Failure {
     let (exit, diagnostic) = trouble(wrong, event, table);
-    Failure::at(exit, diagnostic, table.loaded)
+    Failure::at(exit, diagnostic, &table.loaded.sources)
 }
 
 /// Why an event does not happen, as a diagnostic.

@@ -77,7 +77,7 @@ impl Script {
                         match trouble(wrong, text, table) {
                             (Exit::No, diagnostic) => failed.push(Diagnostic { span: *span, ..diagnostic }),
                             (exit, diagnostic) => {
-                                return Err(Failure::at(exit, diagnostic, table.loaded));
+                                return Err(Failure::at(exit, diagnostic, &table.loaded.sources));
                             }
                         }
                         break;

@@ -15,8 +15,9 @@ pub use choice::choose;
 pub use races::{Race, Races, races};
 
 use super::{ClosedLoop, EventId, Plant};
-use crate::controller::tables::{Provenance, Tables};
+use crate::controller::tables::{Provenance, Requirement, Tables};
 use crate::controller::{Component, Controller, Event, Level, SuperStep, minimize, number};
+use crate::syntax::Span;
 use std::collections::BTreeMap;
 
 /// The party opposite the automata in event texts.
@@ -28,39 +29,48 @@ const CONTROLLER: &str = "controller";
 /// with the first component that names the event. One that no component names never happens and has no text.
 #[must_use]
 pub fn controller(plant: &Plant, closed: &ClosedLoop) -> Controller {
-    let Vocabulary { events, commands, index } = Vocabulary::new(plant);
-    let mut environment = vec![Vec::new(); events.len()];
-    let mut super_steps = Vec::new();
+    let vocabulary = Vocabulary::new(plant);
+    let index = |event: EventId| vocabulary.index[event as usize];
+    let mut controller = vocabulary.interface();
     for ((source, chosen), entry) in (0..).zip(choose(plant, closed)).zip(0..closed.len()) {
         for &(event, target) in closed.edges(entry) {
             if !plant.events[event as usize].controllable {
-                environment[index[event as usize] as usize].push((source, target));
+                controller.environment[index(event) as usize].push((source, target));
             }
         }
-        super_steps.extend(chosen.map(|(event, target)| SuperStep {
+        controller.super_steps.extend(chosen.map(|(event, target)| SuperStep {
             source,
             target,
-            events: vec![index[event as usize]],
+            events: vec![index(event)],
         }));
     }
-    let mut by_object: BTreeMap<&str, Vec<u32>> = BTreeMap::new();
-    for (place, command) in (0..).zip(&commands) {
-        by_object.entry(&command.receiver).or_default().push(place);
-    }
-    let components = by_object
-        .into_iter()
-        .map(|(object, commands)| Component { object: object.to_owned(), commands })
-        .collect();
-    Controller {
-        states: closed.len() as u32,
-        initial: closed.initial,
-        environment,
-        super_steps,
-        owed: vec![Vec::new(); closed.len()],
-        events,
-        commands,
-        components,
-    }
+    let (states, initial) = (closed.len() as u32, closed.initial);
+    Controller { states, initial, owed: vec![Vec::new(); closed.len()], ..controller }
+}
+
+/// The events, commands and components of [`controller`] in one that does nothing: what names are made of, whether there is
+/// a feedback or not.
+#[must_use]
+pub fn interface(plant: &Plant) -> Controller {
+    Vocabulary::new(plant).interface()
+}
+
+/// What outputs say of their origin, with the constraints as requirements, in textual order.
+#[must_use]
+pub fn provenance(plant: &Plant, provenance: Provenance) -> Provenance {
+    let conditions = plant.constraints.iter().map(|one| (&one.name, &one.doc, one.span));
+    let automata = plant.automata[plant.components..].iter().map(|one| (&one.name, &one.doc, one.span));
+    let mut all: Vec<_> = conditions.chain(automata).collect();
+    all.sort_by_key(|(.., span)| span.start);
+    let requirement = |(name, doc, span): (&String, &Vec<String>, Span)| Requirement {
+        scenario: name.clone(),
+        kind: "constraint",
+        text: doc.clone(),
+        file: provenance.file.clone(),
+        line: span.start.line,
+    };
+    let requirements = all.into_iter().map(requirement).collect();
+    Provenance { requirements, ..provenance }
 }
 
 /// The tables of [`controller`], minimised as `level` says and numbered.
@@ -94,6 +104,27 @@ impl Vocabulary {
             side.push(event);
         }
         vocabulary
+    }
+
+    fn interface(&self) -> Controller {
+        let mut by_object: BTreeMap<&str, Vec<u32>> = BTreeMap::new();
+        for (place, command) in (0..).zip(&self.commands) {
+            by_object.entry(&command.receiver).or_default().push(place);
+        }
+        let components = by_object
+            .into_iter()
+            .map(|(object, commands)| Component { object: object.to_owned(), commands })
+            .collect();
+        Controller {
+            states: 1,
+            initial: 0,
+            environment: vec![Vec::new(); self.events.len()],
+            super_steps: Vec::new(),
+            owed: vec![Vec::new()],
+            events: self.events.clone(),
+            commands: self.commands.clone(),
+            components,
+        }
     }
 }
 

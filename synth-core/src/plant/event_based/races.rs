@@ -10,7 +10,9 @@
 
 use super::super::{ClosedLoop, EventId, Plant};
 use super::{choose, text};
+use crate::diagnostic::{Code, Diagnostic};
 use crate::intern::Indexed;
+use crate::syntax::Span;
 use std::collections::BTreeSet;
 
 /// Events of one scan that the controller cannot follow.
@@ -40,6 +42,23 @@ impl Race {
     }
 }
 
+impl Race {
+    /// As a warning at the event by which it is noticed.
+    fn diagnostic(&self, plant: &Plant, closed: &ClosedLoop) -> Diagnostic {
+        let is_uncontrollable = |id: &&EventId| !plant.events[**id as usize].controllable;
+        let span = self.events.iter().rfind(is_uncontrollable).map(|&id| plant.events[id as usize].span);
+        let states = closed.entry(self.entry as usize).iter().zip(&plant.automata);
+        let states: Vec<String> = states
+            .map(|(&state, automaton)| {
+                format!("{}.{}", automaton.name, automaton.states[state as usize].name)
+            })
+            .collect();
+        Diagnostic::warning(Code::Race, span.unwrap_or_default(), self.text(plant))
+            .note(format!("for example from {}", states.join(", ")))
+            .help("see to it that they never come within one scan")
+    }
+}
+
 /// The races of a closed loop.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Races {
@@ -47,6 +66,21 @@ pub struct Races {
     pub found: Vec<Race>,
     /// Batches of so many events or more were not all tried, because they are too many; `None` if all were.
     pub untried: Option<usize>,
+}
+
+impl Races {
+    /// As warnings, in the order of places.
+    #[must_use]
+    pub fn diagnostics(&self, plant: &Plant, closed: &ClosedLoop) -> Vec<Diagnostic> {
+        let mut all: Vec<Diagnostic> = self.found.iter().map(|race| race.diagnostic(plant, closed)).collect();
+        all.sort_by_key(|one| one.span.start);
+        all.extend(self.untried.map(|size| {
+            let message = format!("batches of {size} events or more a scan are too many to try all of them");
+            Diagnostic::warning(Code::Race, Span::default(), message)
+                .help("see to it that fewer events come within one scan")
+        }));
+        all
+    }
 }
 
 /// So many batches of a group of events are tried.

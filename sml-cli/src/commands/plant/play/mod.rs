@@ -89,13 +89,14 @@ pub(in crate::commands) fn run(
     script: Option<&Path>,
     session: &mut Session,
 ) -> Result<Exit, Failure> {
-    let ReadPlant { loaded, plant, .. } = session.plant(given)?;
+    let ReadPlant { sources, plant, .. } = session.plant(given)?;
     let script = match script {
         Some(path) => Some((input::name(path), input::text(path, Code::Encoding)?)),
         None => None,
     };
-    let closed = session.feedback(&plant).map_err(|failure| Failure::of(&failure, &loaded))?;
-    let mut position = Position::new(&plant, &closed);
+    let found = session.synthesis(&plant);
+    let (synthesis, closed) = found.map_err(|failure| Failure::of(&failure, &sources))?;
+    let mut position = Position::new(&plant, &closed, &synthesis);
     let format = session.format();
     match script {
         Some((path, text)) => {

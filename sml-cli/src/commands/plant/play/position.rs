@@ -1,11 +1,12 @@
 //! Where a play of a closed loop is.
 
-use synth_core::plant::{AutomatonId, ClosedLoop, EventId, Plant, why};
+use synth_core::plant::{AutomatonId, ClosedLoop, EventId, Plant, Synthesis};
 
 /// An entry, and how the play came to it.
 pub(super) struct Position<'a> {
     pub(super) plant: &'a Plant,
     pub(super) closed: &'a ClosedLoop,
+    synthesis: &'a Synthesis<'a>,
     entry: usize,
     /// Events, and the entries in which they happened.
     past: Vec<(EventId, usize)>,
@@ -46,8 +47,8 @@ impl Verdict {
 
 impl<'a> Position<'a> {
     /// The initial entry.
-    pub(super) fn new(plant: &'a Plant, closed: &'a ClosedLoop) -> Self {
-        Position { plant, closed, entry: closed.initial as usize, past: Vec::new() }
+    pub(super) fn new(plant: &'a Plant, closed: &'a ClosedLoop, synthesis: &'a Synthesis<'a>) -> Self {
+        Position { plant, closed, synthesis, entry: closed.initial as usize, past: Vec::new() }
     }
 
     /// The states of all automata.
@@ -94,7 +95,7 @@ impl<'a> Position<'a> {
         if self.enabled().any(|enabled| enabled == event) {
             return Verdict::Enabled;
         }
-        if let Some(why) = why(self.plant, self.closed, self.entry, event) {
+        if let Some(why) = self.synthesis.why(self.closed, self.entry, event) {
             return Verdict::Inhibited(why.text(self.plant));
         }
         let components = (0..).zip(&self.plant.automata[..self.plant.components]).zip(self.states());

@@ -1,8 +1,9 @@
 //! `sml export` of a plant: its program of rungs, diagrams, or the feedback as JSON.
 
+use super::follow::{Follow, Followed, follow};
 use super::rungs::Rungs;
-use super::{Controlled, control, refuse, supervise};
-use crate::commands::export::{Arguments, Target};
+use super::{Controlled, control, modular, refuse_given, supervise};
+use crate::commands::export::{Arguments, Layout, Target};
 use crate::failure::{Exit, Failure, nowhere};
 use crate::input::Given;
 use crate::options::Format;
@@ -16,14 +17,16 @@ use synth_core::diagnostic::{Code, counted};
 use synth_core::emit::scan::{Source, ladder, list};
 use synth_core::emit::st::plcopen;
 use synth_core::emit::{automata, rust, st};
-use synth_core::plant::{ClosedLoop, Figures, Plant};
-use synth_core::syntax::Loaded;
+use synth_core::plant::{ClosedLoop, Figures, Plant, Program};
 
 /// Options of `sml export` that mean something to plants only.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct Options {
     #[command(flatten)]
     rungs: Rungs,
+    /// Plants: what the controller goes by; `states` otherwise
+    #[arg(long, value_enum)]
+    follow: Option<Follow>,
     /// Diagrams of plants: what is drawn; `automata` otherwise
     #[arg(long, value_enum)]
     of: Option<Drawn>,
@@ -43,11 +46,13 @@ enum Drawn {
 impl Options {
     /// Refuses all of them, for a specification.
     pub(in crate::commands) fn refuse(self) -> Result<(), Failure> {
-        let of = ("--of", self.of.is_some());
-        match self.rungs.given().into_iter().chain([of]).find(|(_, is_given)| *is_given) {
-            Some((option, _)) => Err(Failure::usage(format!("`{option}` means nothing to a specification"))),
-            None => Ok(()),
-        }
+        let follow = ("--follow", self.follow.is_some());
+        refuse_given(self.of_states().chain([follow]), "a specification")
+    }
+
+    /// The options that mean nothing to controllers that follow events.
+    fn of_states(self) -> impl Iterator<Item = (&'static str, bool)> {
+        self.rungs.given().into_iter().chain([("--of", self.of.is_some())])
     }
 
     fn words(self) -> String {
@@ -75,20 +80,27 @@ pub(in crate::commands) fn run(
     given: &Given,
     session: &mut Session,
 ) -> Result<Exit, Failure> {
-    refuse(&arguments.of_specifications())?;
     let Arguments { target, plant: options, .. } = arguments;
+    if Follow::events(options.follow) {
+        return of_events(arguments, given, session);
+    }
+    refuse_given(arguments.of_tables(), "rungs; `--follow events` makes tables")?;
     let writer = writer(arguments)?;
     arguments.checks_something()?;
     output::refuse(arguments.output.as_deref(), &arguments.file)?;
-    let ReadPlant { loaded, plant, warnings } = session.plant(given)?;
+    let read = session.plant(given)?;
+    if options.rungs.is_modular() {
+        return of_modules(arguments, &writer, &read, session);
+    }
+    let ReadPlant { sources, plant, warnings, provenance } = read;
     let controlled = match writer {
         Writer::Diagram(_) => session.feedback(&plant).map(|closed| Controlled { closed, feedback: None }),
         Writer::Program(_) | Writer::Json => control(&plant, options.rungs.options(), session),
     };
-    let controlled = controlled.map_err(|failure| Failure::of(&failure, &loaded))?;
+    let controlled = controlled.map_err(|failure| Failure::of(&failure, &sources))?;
     let warnings = session.warnings_of_plant(warnings, &plant, &controlled.closed);
-    warnings::show(warnings, &arguments.warnings.policy(), &loaded, session)?;
-    let provenance = provenance(&loaded, options.words());
+    warnings::show(warnings, &arguments.warnings.policy(), &sources, session)?;
+    let provenance = Provenance { options: options.words(), ..provenance };
     let text = session.stage("emit", || match &writer {
         Writer::Program(write) => {
             let feedback = controlled.feedback.as_ref().ok_or_else(|| no_signals(&plant.name, *target))?;
@@ -98,16 +110,76 @@ pub(in crate::commands) fn run(
         Writer::Diagram(draw) => Ok(draw(&plant, closed(*options, &controlled.closed)?)),
         Writer::Json => Ok(supervise::json(&plant, &controlled)),
     })?;
+    let figures = controlled.feedback.map(|feedback| feedback.program.figures());
+    write(arguments, &text, figures, session)
+}
+
+/// Writes the product, or compares it with what is there.
+fn write(
+    arguments: &Arguments,
+    text: &str,
+    figures: Option<Figures>,
+    session: &Session,
+) -> Result<Exit, Failure> {
     if arguments.check {
-        arguments.compare(&text)?.failure()?;
+        arguments.compare(text)?.failure()?;
     } else {
-        output::product(arguments.output.as_deref(), &text)?;
+        output::product(arguments.output.as_deref(), text)?;
     }
     if let Some(path) = arguments.file_written() {
-        let figures = controlled.feedback.map(|feedback| feedback.program.figures());
-        report(arguments, path, &text, figures, session)?;
+        report(arguments, path, text, figures, session)?;
     }
     Ok(Exit::Done)
+}
+
+/// The program of modules.
+fn of_modules(
+    arguments: &Arguments,
+    writer: &Writer,
+    read: &ReadPlant,
+    session: &mut Session,
+) -> Result<Exit, Failure> {
+    let Arguments { target, plant: options, .. } = arguments;
+    let ReadPlant { sources, plant, warnings, provenance } = read;
+    if matches!(writer, Writer::Diagram(_)) {
+        return Err(Failure::usage(format!("`--modular` means nothing to target `{target}`")));
+    }
+    let supervised = session.control_modular(plant, options.rungs.options());
+    let supervised = supervised.map_err(|failure| Failure::of(&failure, sources))?;
+    let warnings = [&warnings[..], &supervised.modular.warnings()].concat();
+    warnings::show(warnings, &arguments.warnings.policy(), sources, session)?;
+    let provenance = Provenance { options: options.words(), ..provenance.clone() };
+    let program = supervised.feedback.as_ref().map(|feedback| &feedback.program);
+    let text = session.stage("emit", || match writer {
+        Writer::Program(write) => {
+            let program = program.ok_or_else(|| no_signals(&plant.name, *target))?;
+            Ok(write(&Source { program, events: &plant.events, provenance: &provenance }))
+        }
+        _ => Ok(modular::json(plant, &supervised)),
+    })?;
+    write(arguments, &text, program.map(Program::figures), session)
+}
+
+/// The controller that follows events.
+fn of_events(arguments: &Arguments, given: &Given, session: &mut Session) -> Result<Exit, Failure> {
+    refuse_given(arguments.plant.of_states(), "a controller that follows events")?;
+    no_rungs(arguments.target)?;
+    let layout = Layout::new(arguments)?;
+    let mut read = session.plant(given)?;
+    let options = arguments.general_options(session);
+    let Followed { controller, tables, warnings } = follow(&mut read, layout.level, &options, session)?;
+    warnings::show(warnings, &arguments.warnings.policy(), &read.sources, session)?;
+    layout.write(&tables, &controller, session)
+}
+
+/// Refuses targets of rungs.
+pub(in crate::commands) fn no_rungs(target: Target) -> Result<(), Failure> {
+    match target {
+        Target::Ladder | Target::Il | Target::Svg => Err(Failure::usage(format!(
+            "target `{target}` shows rungs, and a controller that follows events has tables"
+        ))),
+        _ => Ok(()),
+    }
 }
 
 fn writer(arguments: &Arguments) -> Result<Writer, Failure> {
@@ -155,15 +227,11 @@ fn closed(options: Options, closed: &ClosedLoop) -> Result<Option<&ClosedLoop>, 
     Ok(Some(closed))
 }
 
-/// Where texts say that they come from.
-pub(super) fn provenance(loaded: &Loaded, options: String) -> Provenance {
-    let file = loaded.sources.path(Loaded::MAIN).to_owned();
-    Provenance { file, hash: loaded.hash(), options, ..Provenance::default() }
-}
-
 /// A target that lays out tables.
 pub(super) fn no_tables(target: Target) -> Failure {
-    Failure::usage(format!("target `{target}` is a layout of tables, and a plant's controller has none"))
+    let message =
+        format!("target `{target}` is a layout of tables, and a controller that reads states has none");
+    Failure::usage(message)
 }
 
 /// A target of rungs, for a plant without a signal.
@@ -172,7 +240,8 @@ pub(super) fn no_signals(plant: &str, target: Target) -> Failure {
         format!("`{plant}` declares no inputs and outputs, so there are no rungs to write as `{target}`");
     Failure::new(
         Exit::Wrong,
-        nowhere(Code::Unfit, message).help("declare inputs and outputs, and formulas of states over them"),
+        nowhere(Code::Unfit, message)
+            .help("declare inputs and outputs, and formulas of states over them; or try `--follow events`"),
     )
 }
 
