@@ -15,7 +15,11 @@
 //! Cargo runs the script again when the specification changes, or a file that it imports. A wrong or unrealizable
 //! specification ends the build with the same message that `sml check` prints. Warnings are shown as Cargo's, in one line
 //! each; [`Build::deny`] makes one of them end the build.
+//!
+//! What was compiled once is not compiled again: modules are [cached](crate::cache) in `$OUT_DIR/sml-cache`, or in the folder
+//! that the environment variable `SML_CACHE` names, by all texts, all options and the version of the tool.
 
+use crate::cache::{self, Folder, Key, Store};
 use crate::controller::tables::{Provenance, Tables};
 use crate::diagnostic::{Code, Diagnostic, render};
 use crate::emit::rust::{self, Engine};
@@ -25,7 +29,7 @@ use crate::pipeline::{Failure, Options, Timings, compile_with_warnings as run};
 use crate::plant::pipeline::Followed;
 use crate::plant::{self, Plant, event_based};
 use crate::quality::{Policy, Warning};
-use crate::syntax::{Sources, load, read_bounded};
+use crate::syntax::{Loaded, Sources, load, read_bounded};
 use std::path::{Path, PathBuf};
 use std::{env, fs, io, process};
 
@@ -46,10 +50,21 @@ pub struct Build {
     follows_events: bool,
 }
 
-/// What became of a file: the module and the warnings, or all that is wrong.
+/// What became of a file: the module, or all that is wrong.
 struct Compiled {
-    result: Result<(String, Vec<Diagnostic>), Vec<Diagnostic>>,
+    result: Result<Module, Vec<Diagnostic>>,
     sources: Sources,
+}
+
+/// What a synthesis results in: a text in Rust and all warnings, or all that is wrong.
+type Synthesized = Result<(String, Vec<Diagnostic>), Vec<Diagnostic>>;
+
+/// What a build script has to say.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct Module {
+    text: String,
+    /// One line each.
+    warnings: Vec<String>,
 }
 
 impl Build {
@@ -137,50 +152,72 @@ impl Build {
         let package = folder("CARGO_MANIFEST_DIR")?;
         let shown = path.display().to_string();
         let bytes = read(&package, &shown).map_err(|why| format!("error: {shown} cannot be read: {why}"))?;
-        let is_plant = path.extension().is_some_and(|extension| extension == "plant");
-        let Compiled { result, sources } =
-            if is_plant { self.plant(&shown, &bytes) } else { self.specification(&shown, &bytes, &package) };
-        let (text, mut warnings) = result.map_err(|diagnostics| {
+        let Compiled { result, sources } = self.module(&shown, &bytes, &package, cache(&out).as_ref());
+        let Module { text, warnings } = result.map_err(|diagnostics| {
             let diagnostics: Vec<Diagnostic> = diagnostics.into_iter().map(advise).collect();
             render(&diagnostics, &sources, false)
         })?;
-        self.policy.apply(&mut warnings);
-        let (denied, shown): (Vec<_>, Vec<_>) =
-            warnings.into_iter().partition(|warning| self.policy.denies(warning));
-        for warning in &shown {
-            println!("cargo::warning={}", line(warning, &sources));
-        }
-        if !denied.is_empty() {
-            return Err(render(&denied, &sources, false));
-        }
+        show(&warnings);
         let mut name = path.file_stem().unwrap_or(path.as_os_str()).to_owned();
         name.push(".rs");
         let target = out.join(name);
         replace(&target, &text).map_err(|why| format!("error: {} cannot be written: {why}", target.display()))
     }
 
-    fn specification(&self, path: &str, bytes: &[u8], package: &Path) -> Compiled {
+    fn module(&self, path: &str, bytes: &[u8], package: &Path, cache: Option<&Folder>) -> Compiled {
+        if Path::new(path).extension().is_some_and(|extension| extension == "plant") {
+            let loaded = plant::Loaded::of_file(path, bytes);
+            let result = match &loaded.plant {
+                Ok((plant, warnings)) => {
+                    self.cached(cache, &loaded.sources, || self.plant(plant, warnings, loaded.provenance.clone()))
+                }
+                Err(diagnostics) => Err(diagnostics.clone()),
+            };
+            return Compiled { result, sources: loaded.sources };
+        }
         let loaded = load(path, bytes, &mut |path| read(package, path));
-        // To relax each assumption would cost each build time; `sml check` does it.
-        let thorough = self.policy.denies_code(Code::NotNeeded);
-        let result = run(&loaded, &self.options, thorough, &mut Timings::default());
-        let options = rust::Options { engine: self.engine, ..rust::Options::default() };
-        let result = result.map(|(tables, warnings)| (rust::text(&tables, &options), warnings));
-        Compiled { result: result.map_err(|failure| failure.diagnostics()), sources: loaded.sources }
+        // What cannot be read at all may be shown as if it could.
+        let cache = cache.filter(|_| loaded.diagnostics.is_empty());
+        let result = self.cached(cache, &loaded.sources, || self.specification(&loaded));
+        Compiled { result, sources: loaded.sources }
     }
 
-    fn plant(&self, path: &str, bytes: &[u8]) -> Compiled {
-        let plant::Loaded { plant, sources, provenance } = plant::Loaded::of_file(path, bytes);
-        let result = plant.and_then(|(plant, warnings)| {
-            let module = if self.follows_events {
-                self.of_events(&plant, provenance)
-            } else {
-                self.of_states(&plant, provenance)
-            };
-            let (text, more) = module.map_err(|failure| failure.diagnostics())?;
-            Ok((text, [warnings, more].concat()))
-        });
-        Compiled { result, sources }
+    /// The module that was made of these sources with these options, of this run or of an earlier one.
+    fn cached(
+        &self,
+        cache: Option<&Folder>,
+        sources: &Sources,
+        synthesize: impl FnOnce() -> Synthesized,
+    ) -> Result<Module, Vec<Diagnostic>> {
+        let key = Key::new("build script", self).sources(sources);
+        if let Some(module) = cache.and_then(|cache| cache.get(&key)).and_then(Module::of_texts) {
+            return Ok(module);
+        }
+        let (text, warnings) = synthesize()?;
+        let module = Module { text, warnings: self.judge(warnings, sources)? };
+        if let Some(cache) = cache {
+            cache.put(&key, &module.texts());
+        }
+        Ok(module)
+    }
+
+    fn specification(&self, loaded: &Loaded) -> Synthesized {
+        // To relax each assumption would cost each build time; `sml check` does it.
+        let thorough = self.policy.denies_code(Code::NotNeeded);
+        let result = run(loaded, &self.options, thorough, &mut Timings::default());
+        let (tables, warnings) = result.map_err(|failure| failure.diagnostics())?;
+        let options = rust::Options { engine: self.engine, ..rust::Options::default() };
+        Ok((rust::text(&tables, &options), warnings))
+    }
+
+    fn plant(&self, plant: &Plant, warnings: &[Diagnostic], provenance: Provenance) -> Synthesized {
+        let module = if self.follows_events {
+            self.of_events(plant, provenance)
+        } else {
+            self.of_states(plant, provenance)
+        };
+        let (text, more) = module.map_err(|failure| failure.diagnostics())?;
+        Ok((text, [warnings, &more].concat()))
     }
 
     fn of_states(&self, plant: &Plant, provenance: Provenance) -> Result<(String, Vec<Diagnostic>), Failure> {
@@ -202,6 +239,50 @@ impl Build {
         let options = rust::Options { engine: self.engine, ..rust::Options::default() };
         let warnings = [plant::never_enabled(plant, &closed), races.diagnostics(plant, &closed)].concat();
         Ok((rust::text(&tables, &options), warnings))
+    }
+
+    /// Warnings as Cargo shows them; or those that are denied, and the others are shown at once.
+    fn judge(
+        &self,
+        mut warnings: Vec<Diagnostic>,
+        sources: &Sources,
+    ) -> Result<Vec<String>, Vec<Diagnostic>> {
+        self.policy.apply(&mut warnings);
+        let (denied, shown): (Vec<_>, Vec<_>) =
+            warnings.into_iter().partition(|warning| self.policy.denies(warning));
+        let lines: Vec<String> = shown.iter().map(|warning| line(warning, sources)).collect();
+        if denied.is_empty() {
+            return Ok(lines);
+        }
+        show(&lines);
+        Err(denied)
+    }
+}
+
+impl Module {
+    /// As they are cached.
+    fn texts(&self) -> Vec<String> {
+        [&self.text].into_iter().chain(&self.warnings).cloned().collect()
+    }
+
+    fn of_texts(texts: Vec<String>) -> Option<Module> {
+        let mut texts = texts.into_iter();
+        Some(Module { text: texts.next()?, warnings: texts.collect() })
+    }
+}
+
+/// Where modules are cached. Cargo keeps the folder of outputs from build to build.
+fn cache(out: &Path) -> Option<Folder> {
+    match env::var_os(cache::VARIABLE) {
+        None => Some(Folder::at(out.join("sml-cache"))),
+        Some(path) if path.is_empty() => None,
+        Some(path) => Some(Folder::at(path)),
+    }
+}
+
+fn show(warnings: &[String]) {
+    for warning in warnings {
+        println!("cargo::warning={warning}");
     }
 }
 
@@ -246,3 +327,6 @@ fn replace(target: &Path, text: &str) -> io::Result<()> {
     fs::write(&unfinished, text)?;
     fs::rename(&unfinished, target)
 }
+
+#[cfg(test)]
+mod tests;

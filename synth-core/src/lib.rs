@@ -3,10 +3,11 @@
 //! The stages, one module each, in the order in which [`pipeline`] runs them:
 //! [`syntax`] → [`model`] → [`playout`] and [`explore`] → [`game`] → [`controller`] → [`verify`] → [`emit`].
 //! A stage knows the types of the one before and nothing further back; none of them prints, reads the environment or
-//! touches the disk. That is left to the faces: [`embed`] for the macro, [`build`] for build scripts, and the
-//! command `sml`.
+//! touches the disk. That is left to the faces: [`embed`] for the macro, [`build`] for build scripts, both with a
+//! [`cache`], and the command `sml`.
 
 pub mod build;
+pub mod cache;
 pub mod controller;
 pub mod diagnostic;
 pub mod embed;
