@@ -45,6 +45,7 @@
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 use std::path::{Path, PathBuf};
+use synth_core::cache::{self, Folder, Recent, Store};
 use synth_core::embed::{self, Expander, plant};
 use synth_core::syntax::{Reader, read_bounded};
 
@@ -62,8 +63,10 @@ pub fn plant(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
         input,
         "a plant",
         plant::options,
-        |tokens, choice, expander, _| plant::inline(tokens, choice, expander),
-        |path, bytes, span, choice, expander, _| plant::file(path, bytes, span, choice, expander),
+        |tokens, choice, expander, store, _| plant::inline(tokens, choice, expander, store),
+        |path, bytes, span, choice, expander, store, _| {
+            plant::file(path, bytes, span, choice, expander, store)
+        },
     )
 }
 
@@ -72,8 +75,8 @@ fn expand<O>(
     input: proc_macro::TokenStream,
     what: &str,
     options: impl FnOnce(&TokenStream) -> Result<(O, TokenStream), TokenStream>,
-    inline: impl FnOnce(&TokenStream, O, Expander, Reader<'_>) -> TokenStream,
-    file: impl FnOnce(&str, &[u8], Span, O, Expander, Reader<'_>) -> TokenStream,
+    inline: impl FnOnce(&TokenStream, O, Expander, Option<&dyn Store>, Reader<'_>) -> TokenStream,
+    file: impl FnOnce(&str, &[u8], Span, O, Expander, Option<&dyn Store>, Reader<'_>) -> TokenStream,
 ) -> proc_macro::TokenStream {
     let (options, tokens) = match options(&TokenStream::from(input)) {
         Ok(split) => split,
@@ -88,10 +91,15 @@ fn expand<O>(
         Ok(bytes)
     };
     let expander = Expander::of(&std::env::current_exe().unwrap_or_default());
+    let folder = folder();
+    let store: Option<&dyn Store> = match expander {
+        Expander::Editor => Some(&RECENT),
+        Expander::Compiler => folder.as_ref().map(|folder| folder as &dyn Store),
+    };
     let module = match Input::of(&tokens) {
-        Input::Inline => inline(&tokens, options, expander, &mut read),
+        Input::Inline => inline(&tokens, options, expander, store, &mut read),
         Input::Path(span, path) => match read(&path) {
-            Ok(bytes) => file(&path, &bytes, span, options, expander, &mut read),
+            Ok(bytes) => file(&path, &bytes, span, options, expander, store, &mut read),
             Err(why) => {
                 let why =
                     format!("`{path}` cannot be read: {why}\n  help: paths are relative to the package");
@@ -115,6 +123,14 @@ fn expand<O>(
         )
     });
     quote!(#module #(#watched)*).into()
+}
+
+/// What an editor is told again: its process lives on from key to key.
+static RECENT: Recent = Recent::new();
+
+/// A compiler's cache. Nobody but the user can say where it is: Cargo names no folder to macros.
+fn folder() -> Option<Folder> {
+    std::env::var_os(cache::VARIABLE).filter(|path| !path.is_empty()).map(Folder::at)
 }
 
 enum Input {

@@ -168,9 +168,9 @@ impl Build {
         if Path::new(path).extension().is_some_and(|extension| extension == "plant") {
             let loaded = plant::Loaded::of_file(path, bytes);
             let result = match &loaded.plant {
-                Ok((plant, warnings)) => {
-                    self.cached(cache, &loaded.sources, || self.plant(plant, warnings, loaded.provenance.clone()))
-                }
+                Ok((plant, warnings)) => self.cached(cache, &loaded.sources, || {
+                    self.plant(plant, warnings, loaded.provenance.clone())
+                }),
                 Err(diagnostics) => Err(diagnostics.clone()),
             };
             return Compiled { result, sources: loaded.sources };

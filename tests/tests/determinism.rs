@@ -101,6 +101,13 @@ fn from_tokens(tokens: &TokenStream) -> Result<Tables, Failure> {
     compile(&loaded, &Options::default(), &mut Timings::default())
 }
 
+/// The module of a macro in place does not say in which lines requirements stand.
+fn without_lines(module: &str) -> String {
+    let mut parts = module.split(", line ");
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |text, part| text + part.trim_start_matches(|digit: char| digit.is_ascii_digit()))
+}
+
 #[test]
 fn from_tokens_and_from_a_file() {
     let mut compared = 0;
@@ -117,7 +124,8 @@ fn from_tokens_and_from_a_file() {
         assert_eq!(Tables { provenance, ..inline }, file, "{}", entry.name);
 
         let mut read = |path: &str| Err(format!("{path}: the corpus imports nothing"));
-        let inline = embed::inline(&tokens, Engine::default(), Expander::Compiler, &mut read).to_string();
+        let inline =
+            embed::inline(&tokens, Engine::default(), Expander::Compiler, None, &mut read).to_string();
         let bytes = entry.text.as_bytes();
         let file = embed::file(
             "spec.sml",
@@ -125,10 +133,11 @@ fn from_tokens_and_from_a_file() {
             Span::call_site(),
             Engine::default(),
             Expander::Compiler,
+            None,
             &mut read,
         )
         .to_string();
-        assert_eq!(inline, file, "{}", entry.name);
+        assert_eq!(inline, without_lines(&file), "{}", entry.name);
         compared += 1;
     }
     assert!(compared > 20, "only {compared}");

@@ -47,7 +47,7 @@ pub struct Requirement {
     pub text: Vec<String>,
     /// The file that it stands in, as the user named it.
     pub file: String,
-    /// Line of its name there.
+    /// Line of its name there; 0 if it is not told.
     pub line: u32,
 }
 

@@ -1,14 +1,18 @@
 //! What the macro `sml!` does with its input, without being a macro; [`plant`] is the same for `plant!`.
 
 mod attribute;
+mod cached;
 pub mod plant;
 
 use self::attribute::{Attribute, take_off};
+use self::cached::cached;
+use crate::cache::{Key, Store};
+use crate::controller::tables::Provenance;
 use crate::diagnostic::{Code, Diagnostic, compile_errors, compile_errors_at};
 use crate::emit::rust::{self, Engine};
 use crate::explore::Limits;
 use crate::pipeline::{Options, Timings, compile};
-use crate::syntax::{Loaded, Reader, load, load_imports, parse_tokens};
+use crate::syntax::{Loaded, Reader, load, load_imports, parse_tokens, print};
 use proc_macro2::{Span, TokenStream};
 use std::path::Path;
 
@@ -81,13 +85,20 @@ const INLINE: &str = "sml!";
 
 /// The controller of a specification written in the macro, or a `compile_error!` at each token that is wrong.
 ///
-/// `read` is asked for imported files, relative to the folder of the package.
+/// `read` is asked for imported files, relative to the folder of the package; `store` for the module, which does not depend
+/// on where the macro stands.
 #[must_use]
-pub fn inline(tokens: &TokenStream, engine: Engine, expander: Expander, read: Reader<'_>) -> TokenStream {
+pub fn inline(
+    tokens: &TokenStream,
+    engine: Engine,
+    expander: Expander,
+    store: Option<&dyn Store>,
+    read: Reader<'_>,
+) -> TokenStream {
     let (file, diagnostics) = parse_tokens(tokens.clone(), Loaded::MAIN);
     let mut loaded = file.map_or_else(Loaded::default, |file| load_imports(INLINE, file, read));
     loaded.diagnostics.splice(0..0, diagnostics);
-    controller(&loaded, engine, expander).unwrap_or_else(|diagnostics| {
+    controller(&loaded, engine, expander, store).unwrap_or_else(|diagnostics| {
         let diagnostics = diagnostics.into_iter().map(advise_inline).collect::<Vec<_>>();
         compile_errors(&diagnostics, tokens, &loaded)
     })
@@ -101,29 +112,54 @@ pub fn file(
     span: Span,
     engine: Engine,
     expander: Expander,
+    store: Option<&dyn Store>,
     read: Reader<'_>,
 ) -> TokenStream {
     let loaded = load(path, bytes, read);
-    controller(&loaded, engine, expander)
+    controller(&loaded, engine, expander, store)
         .unwrap_or_else(|diagnostics| compile_errors_at(span, &diagnostics, &loaded.sources))
 }
 
-fn controller(loaded: &Loaded, engine: Engine, expander: Expander) -> Result<TokenStream, Vec<Diagnostic>> {
-    match compile(loaded, &expander.options(), &mut Timings::default()) {
-        Ok(tables) => Ok(rust::module(&tables, &rust::Options { engine, ..rust::Options::default() })),
+fn controller(
+    loaded: &Loaded,
+    engine: Engine,
+    expander: Expander,
+    store: Option<&dyn Store>,
+) -> Result<TokenStream, Vec<Diagnostic>> {
+    let key = || {
+        let key = Key::new("sml!", &(engine, expander.options())).sources(&loaded.sources);
+        match loaded.files.last() {
+            // Tokens have no text; as for the hash of the input, the canonical form stands for it.
+            Some(main) if is_inline(loaded) => key.text(&print(main)),
+            _ => key,
+        }
+    };
+    // What cannot be read at all may be shown as if it could.
+    let store = store.filter(|_| loaded.diagnostics.is_empty());
+    cached(store, key, || match compile(loaded, &expander.options(), &mut Timings::default()) {
+        Ok(mut tables) => {
+            without_lines(&mut tables.provenance, INLINE);
+            Ok(rust::module(&tables, &rust::Options { engine, ..rust::Options::default() }))
+        }
         Err(failure) => {
             let file = file_to_be(loaded);
             Err(failure.diagnostics().into_iter().map(|d| expander.advise(d, file)).collect())
         }
-    }
+    })
+}
+
+/// Requirements of a macro in place: a module that told their lines would be another one wherever the macro moves.
+fn without_lines(provenance: &mut Provenance, inline: &str) {
+    provenance.requirements.iter_mut().filter(|one| one.file == inline).for_each(|one| one.line = 0);
+}
+
+fn is_inline(loaded: &Loaded) -> bool {
+    loaded.sources.path(Loaded::MAIN) == INLINE
 }
 
 /// The file of a specification, or what it could be called.
 fn file_to_be(loaded: &Loaded) -> &str {
-    match loaded.sources.path(Loaded::MAIN) {
-        INLINE => "cell.sml",
-        file => file,
-    }
+    if is_inline(loaded) { "cell.sml" } else { loaded.sources.path(Loaded::MAIN) }
 }
 
 /// A macro is no file.
@@ -178,8 +214,8 @@ mod tests {
              controllable {{ Control }} collaboration C {{ {scenarios} }} }}"
         );
         let tokens: TokenStream = text.parse().expect("tokens");
-        let shown =
-            inline(&tokens, Engine::default(), Expander::Editor, &mut |_| Err(String::new())).to_string();
+        let shown = inline(&tokens, Engine::default(), Expander::Editor, None, &mut |_| Err(String::new()))
+            .to_string();
         for part in
             ["the limit of 10000 states was reached", "move it to a build script", "goes on to 100000"]
         {

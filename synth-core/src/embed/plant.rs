@@ -1,14 +1,17 @@
 //! The same for plants: what the macro `plant!` does.
 
-use super::Expander;
 use super::attribute::{Attribute, Wrong, take_off};
+use super::cached::cached;
+use super::{Expander, without_lines};
+use crate::cache::{Key, Store};
 use crate::controller::Level;
 use crate::controller::tables::{Provenance, Tables};
 use crate::diagnostic::{Code, Diagnostic, compile_errors, compile_errors_at};
 use crate::emit::rust::{self, scan};
 use crate::emit::scan::Source;
+use crate::explore::Limits;
 use crate::pipeline::{Failure, Timings};
-use crate::plant::{DontCare, Loaded, Options, event_based, pipeline};
+use crate::plant::{DontCare, Loaded, Options, Plant, event_based, pipeline};
 use crate::syntax;
 use proc_macro2::{Span, TokenStream};
 
@@ -62,10 +65,17 @@ fn follows_events(text: &str, at: Span) -> Result<bool, Wrong> {
 }
 
 /// The controller of a plant written in the macro, or a `compile_error!` at each token that is wrong.
+///
+/// `store` is asked for the module, which does not depend on where the macro stands.
 #[must_use]
-pub fn inline(tokens: &TokenStream, choice: Choice, expander: Expander) -> TokenStream {
+pub fn inline(
+    tokens: &TokenStream,
+    choice: Choice,
+    expander: Expander,
+    store: Option<&dyn Store>,
+) -> TokenStream {
     let loaded = Loaded::of_tokens(INLINE, tokens);
-    module(&loaded, choice, expander).unwrap_or_else(|diagnostics| {
+    module(&loaded, choice, expander, store).unwrap_or_else(|diagnostics| {
         let diagnostics: Vec<_> = diagnostics.into_iter().map(advise_inline).collect();
         compile_errors(&diagnostics, tokens, &syntax::Loaded::default())
     })
@@ -73,32 +83,53 @@ pub fn inline(tokens: &TokenStream, choice: Choice, expander: Expander) -> Token
 
 /// The controller of a plant in a file, or a `compile_error!` at `span` for each mistake that shows its place.
 #[must_use]
-pub fn file(path: &str, bytes: &[u8], span: Span, choice: Choice, expander: Expander) -> TokenStream {
+pub fn file(
+    path: &str,
+    bytes: &[u8],
+    span: Span,
+    choice: Choice,
+    expander: Expander,
+    store: Option<&dyn Store>,
+) -> TokenStream {
     let loaded = Loaded::of_file(path, bytes);
-    module(&loaded, choice, expander)
+    module(&loaded, choice, expander, store)
         .unwrap_or_else(|diagnostics| compile_errors_at(span, &diagnostics, &loaded.sources))
 }
 
-fn module(loaded: &Loaded, choice: Choice, expander: Expander) -> Result<TokenStream, Vec<Diagnostic>> {
+fn module(
+    loaded: &Loaded,
+    choice: Choice,
+    expander: Expander,
+    store: Option<&dyn Store>,
+) -> Result<TokenStream, Vec<Diagnostic>> {
     let (plant, _) = loaded.plant.as_ref().map_err(Clone::clone)?;
     let limits = expander.options().limits;
+    let key = || Key::new("plant!", &(choice, limits)).sources(&loaded.sources).text(&loaded.canonical);
+    cached(store, key, || {
+        let module = synthesize(plant, choice, &limits, loaded.provenance.clone());
+        module.map_err(|failure| advise(&failure, loaded, expander))
+    })
+}
+
+fn synthesize(
+    plant: &Plant,
+    choice: Choice,
+    limits: &Limits,
+    provenance: Provenance,
+) -> Result<TokenStream, Failure> {
     let timings = &mut Timings::default();
-    let provenance = loaded.provenance.clone();
-    let module = if choice.follows_events {
-        pipeline::follow(plant, &limits, Level::default(), timings).map(|followed| {
-            let options = " --follow events".to_owned();
-            let provenance = event_based::provenance(plant, Provenance { options, ..provenance });
-            let tables = Tables::new(&plant.name, &followed.controller, provenance);
-            rust::module(&tables, &rust::Options::default())
-        })
-    } else {
-        pipeline::control(plant, &limits, choice.options, timings).map(|supervised| {
-            let provenance = Provenance { options: choice.options.words(), ..provenance };
-            let program = &supervised.feedback.program;
-            scan::module(&Source { program, events: &plant.events, provenance: &provenance })
-        })
-    };
-    module.map_err(|failure| advise(&failure, loaded, expander))
+    if choice.follows_events {
+        let followed = pipeline::follow(plant, limits, Level::default(), timings)?;
+        let options = " --follow events".to_owned();
+        let mut provenance = event_based::provenance(plant, Provenance { options, ..provenance });
+        without_lines(&mut provenance, INLINE);
+        let tables = Tables::new(&plant.name, &followed.controller, provenance);
+        return Ok(rust::module(&tables, &rust::Options::default()));
+    }
+    let supervised = pipeline::control(plant, limits, choice.options, timings)?;
+    let provenance = Provenance { options: choice.options.words(), ..provenance };
+    let program = &supervised.feedback.program;
+    Ok(scan::module(&Source { program, events: &plant.events, provenance: &provenance }))
 }
 
 fn advise(failure: &Failure, loaded: &Loaded, expander: Expander) -> Vec<Diagnostic> {
@@ -132,7 +163,7 @@ mod tests {
             })
             .collect();
         let tokens: TokenStream = format!("plant Lamps {{ {lamps} }}").parse().expect("tokens");
-        let shown = inline(&tokens, Choice::default(), Expander::Editor).to_string();
+        let shown = inline(&tokens, Choice::default(), Expander::Editor, None).to_string();
         for part in
             ["the limit of 10000 states is too small", "goes on to 100000", "compile(\\\"cell.plant\\\")"]
         {

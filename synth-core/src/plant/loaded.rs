@@ -14,7 +14,9 @@ pub struct Loaded {
     pub plant: Result<(Plant, Vec<Diagnostic>), Vec<Diagnostic>>,
     /// Its path and its text, for rendering; the input of a macro has none.
     pub sources: Sources,
-    /// Path and hash. The canonical form stands for the text that a macro does not have.
+    /// The canonical form of the input of a macro, which has no text; nothing of a file.
+    pub canonical: String,
+    /// Path and hash, of the text or the canonical form.
     pub provenance: Provenance,
 }
 
@@ -33,7 +35,7 @@ impl Loaded {
                 (Err(vec![*diagnostic]), hash(""))
             }
         };
-        Loaded { plant, sources, provenance: provenance(path, hash) }
+        Loaded { plant, sources, canonical: String::new(), provenance: provenance(path, hash) }
     }
 
     /// Reads the input of a macro, for which `path` stands; places are those of the file that invokes it.
@@ -41,8 +43,9 @@ impl Loaded {
     pub fn of_tokens(path: &str, tokens: &TokenStream) -> Loaded {
         let mut sources = Sources::new();
         let (tree, errors) = parse_tokens(tokens.clone(), sources.add(path, ""));
-        let hash = hash(&tree.as_ref().map(print).unwrap_or_default());
-        Loaded { plant: resolved(tree, errors), sources, provenance: provenance(path, hash) }
+        let canonical = tree.as_ref().map(print).unwrap_or_default();
+        let hash = hash(&canonical);
+        Loaded { plant: resolved(tree, errors), sources, canonical, provenance: provenance(path, hash) }
     }
 }
 

@@ -60,7 +60,10 @@ fn requirements(text: &mut String, requirements: &[Requirement]) {
     text.push_str("\n# Requirements\n\n");
     for requirement in requirements {
         let Requirement { scenario, kind, line, .. } = requirement;
-        let _ = write!(text, "- {} ({kind}, line {line})", code(scenario));
+        let _ = match line {
+            0 => write!(text, "- {} ({kind})", code(scenario)),
+            line => write!(text, "- {} ({kind}, line {line})", code(scenario)),
+        };
         let prose = requirement.text.join(" ");
         let mut words = prose.split_whitespace().peekable();
         if words.peek().is_some() {
