@@ -19,7 +19,8 @@
 //! Both expand to `pub mod <specification>`; what is in there is described by the crate `controller-template`, which
 //! the invoking crate must depend on. A specification that is wrong or that no controller can meet is a compile error
 //! at the token that is to blame. For more than 100,000 states use a build script, also for more than 10,000 in an editor:
-//! rust-analyzer expands macros at every key, and gets the advice instead of a controller.
+//! rust-analyzer expands macros at every key, and gets the advice instead of a controller. What it asks for again it gets from
+//! memory, and a compiler from the folder that the environment variable `SML_CACHE` names.
 //!
 //! # Plants
 //!

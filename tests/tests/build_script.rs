@@ -3,6 +3,7 @@
 
 use sml_tests::scratch::Scratch;
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 use std::{fs, io};
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
@@ -306,21 +307,103 @@ fn plants_can_be_followed_instead_of_read() -> io::Result<()> {
     Ok(())
 }
 
+/// Cache entries in a folder with the times at which they were written.
+fn entries(folder: &Path) -> io::Result<Vec<(PathBuf, SystemTime)>> {
+    let mut entries = Vec::new();
+    for file in fs::read_dir(folder)? {
+        let file = file?;
+        entries.push((file.path(), file.metadata()?.modified()?));
+    }
+    entries.sort();
+    Ok(entries)
+}
+
+/// A synthesis would write its entry once more.
+#[test]
+fn what_was_compiled_before_is_not_compiled_again() -> io::Result<()> {
+    let package = Package::with_script("script-cache", COMPILE)?;
+    package.check_run("Some(On) Some(On)");
+    let folder = package.generated().with_file_name("sml-cache");
+    fs::remove_dir_all(&folder)?;
+    let edit = |old, new, expect| {
+        package.edit("specs/devices.sml", old, new);
+        package.check_run(expect);
+        entries(&folder)
+    };
+    let off = edit("bulb.on()", "bulb.off()", "Some(Off) Some(On)")?;
+    assert_eq!(off.len(), 1);
+    let both = edit("bulb.off()", "bulb.on()", "Some(On) Some(On)")?;
+    assert_eq!(both.len(), 2);
+    assert_eq!(edit("bulb.on()", "bulb.off()", "Some(Off) Some(On)")?, both);
+    assert_eq!(edit("bulb.off()", "bulb.on()", "Some(On) Some(On)")?, both);
+
+    for (entry, _) in &both {
+        fs::write(entry, "damaged")?;
+    }
+    let runs = package.script_runs();
+    edit("bulb.on()", "bulb.off()", "Some(Off) Some(On)")?;
+    assert_eq!(package.script_runs(), runs + 1);
+
+    // A file where the folder should be: nothing is kept, and nothing is wrong.
+    fs::remove_dir_all(&folder)?;
+    fs::write(&folder, "")?;
+    package.edit("specs/devices.sml", "bulb.off()", "bulb.on()");
+    package.check_run("Some(On) Some(On)");
+    fs::remove_file(&folder)
+}
+
+const CONFIG: &str = "[env]\nSML_CACHE = { value = \"cache\", relative = true }\n";
+
+#[test]
+fn macros_use_the_folder_that_is_named() -> io::Result<()> {
+    let dependency = format!("sml-macros = {{ path = \"{ROOT}/sml-macros\" }}\n");
+    let main = format!("sml_macros::sml! {{ {DEVICES} }}\n{}", MAIN.replace("cell::", "devices::"));
+    let main = main.replace("{:?} {:?}\", commands.bulb, commands.lamp", "{:?}\", commands.bulb");
+    let package = Package::new("macro-cache", &dependency, &main)?;
+    package.write(".cargo/config.toml", CONFIG)?;
+    let folder = package.directory.join("cache");
+    if folder.exists() {
+        fs::remove_dir_all(&folder)?;
+    }
+    package.check_run("Some(On)");
+    let known = entries(&folder)?;
+    assert_eq!(known.len(), 1);
+    package.edit("src/main.rs", "sml_macros::sml!", "// Moved.\nsml_macros::sml!");
+    package.check_run("Some(On)");
+    assert_eq!(entries(&folder)?, known);
+    package.edit("src/main.rs", "bulb.on()", "bulb.off()");
+    package.check_run("Some(Off)");
+    assert_eq!(entries(&folder)?.len(), 2);
+    Ok(())
+}
+
 /// Build scripts are compiled without optimisation, and so are their dependencies.
 #[test]
 fn production_cell_takes_less_than_a_second() -> io::Result<()> {
-    let compile = "let start = std::time::Instant::now();\n    \
-                   synth_core::build::compile(\"specs/production.cell.sml\");\n    \
-                   std::fs::write(\"microseconds.txt\", start.elapsed().as_micros().to_string()).unwrap();";
+    // The shortest of several times, which what else the machine does changes least.
+    let compile = "let folder = std::path::PathBuf::from(std::env::var(\"OUT_DIR\").unwrap()).join(\"sml-cache\");\n    \
+                   let time = |cold: bool| (0..8).map(|_| {\n        \
+                       if cold { let _ = std::fs::remove_dir_all(&folder); }\n        \
+                       let start = std::time::Instant::now();\n        \
+                       synth_core::build::compile(\"specs/production.cell.sml\");\n        \
+                       start.elapsed().as_micros()\n    \
+                   }).min().unwrap();\n    \
+                   std::fs::write(\"microseconds.txt\", format!(\"{} {}\", time(true), time(false))).unwrap();";
     let package = Package::with_script("script-time", compile)?;
     package.write("specs/production.cell.sml", &fs::read_to_string("specs/production_cell/spec.sml")?)?;
     let main = "include!(concat!(env!(\"OUT_DIR\"), \"/production.cell.rs\"));\n\
                 fn main() { println!(\"{}\", production_cell::Controller::new().state()); }";
     package.write("src/main.rs", main)?;
     package.check_run("0");
-    let milliseconds = package.read("microseconds.txt").parse::<f64>().expect("a number") / 1000.0;
-    println!("production cell in a build script without optimisation: {milliseconds:.1} ms");
-    assert!(milliseconds < 1000.0, "{milliseconds} ms");
+    let times = package.read("microseconds.txt");
+    let milliseconds = |text: &str| text.parse::<f64>().expect("a number") / 1000.0;
+    let (cold, cached) =
+        times.split_once(' ').map(|(a, b)| (milliseconds(a), milliseconds(b))).expect("two numbers");
+    println!(
+        "production cell in a build script without optimisation: {cold:.1} ms, from the cache {cached:.1} ms"
+    );
+    assert!(cold < 1000.0, "{cold} ms");
+    assert!(cached < cold / 3.0, "{cached} ms of {cold} ms");
     Ok(())
 }
 

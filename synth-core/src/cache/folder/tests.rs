@@ -1,5 +1,6 @@
 use super::*;
 use crate::testing::Scratch;
+use std::env;
 use std::time::Duration;
 
 fn key(i: usize) -> Key {
@@ -112,4 +113,55 @@ fn the_oldest_go_first_and_nobody_elses() {
     let large = ["x".repeat(2 * length as usize)];
     narrow.put(&key(2), &large);
     assert_eq!(known(&narrow), [0, 3], "what is larger than all may be does not drive out the others");
+}
+
+/// Names the folder to whom it is run by.
+const SHARED: &str = "SYNTH_CORE_TEST_SHARED";
+
+/// Two keys whose entries are of different lengths, written over and over. Nothing but what was put there is ever read.
+#[test]
+fn writes_and_reads() {
+    let scratch;
+    let path = match env::var_os(SHARED) {
+        Some(path) => PathBuf::from(path),
+        None => {
+            scratch = Scratch::new("cache-alone");
+            scratch.path().to_owned()
+        }
+    };
+    let folder = Folder::at(path);
+    let long = |i: usize| vec![format!("{i} ").repeat(1 + 20_000 * i), String::new()];
+    let mut hits = 0;
+    for round in 0..100 {
+        let i = round % 2;
+        if let Some(texts) = folder.get(&key(i)) {
+            assert!(texts == long(i), "the entry of another");
+            hits += 1;
+        }
+        folder.put(&key(i), &long(i));
+    }
+    assert!(hits > 90, "only {hits} hits");
+}
+
+#[test]
+fn processes_share_a_folder() {
+    let scratch = Scratch::new("cache-shared");
+    let processes: Vec<_> = (0..2)
+        .map(|_| {
+            process::Command::new(env::current_exe().expect("this test"))
+                .args(["--exact", "cache::folder::tests::writes_and_reads"])
+                .env(SHARED, scratch.path())
+                .stdout(process::Stdio::piped())
+                .spawn()
+                .expect("the same test")
+        })
+        .collect();
+    for process in processes {
+        let output = process.wait_with_output().expect("an end");
+        let said = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(output.status.success() && said.contains("1 passed"), "{said}");
+    }
+    let folder = Folder::at(scratch.path());
+    assert_eq!(names(&folder).len(), 2, "nothing is left over: {:?}", names(&folder));
+    assert!(folder.get(&key(0)).is_some() && folder.get(&key(1)).is_some());
 }
