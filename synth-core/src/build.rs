@@ -16,6 +16,7 @@
 //! specification ends the build with the same message that `sml check` prints. Warnings are shown as Cargo's, in one line
 //! each; [`Build::deny`] makes one of them end the build.
 
+use crate::controller::Level;
 use crate::controller::tables::{Provenance, Tables};
 use crate::diagnostic::{Code, Diagnostic, render};
 use crate::emit::rust::{self, Engine};
@@ -63,6 +64,13 @@ impl Build {
     #[must_use]
     pub fn options(mut self, options: Options) -> Self {
         self.options = options;
+        self
+    }
+
+    /// How the controller is made smaller. With [`Level::Ordered`] its module has the interface for one event at a time only.
+    #[must_use]
+    pub fn minimize(mut self, level: Level) -> Self {
+        self.options.level = level;
         self
     }
 
@@ -164,7 +172,7 @@ impl Build {
         // To relax each assumption would cost each build time; `sml check` does it.
         let thorough = self.policy.denies_code(Code::NotNeeded);
         let result = run(&loaded, &self.options, thorough, &mut Timings::default());
-        let options = rust::Options { engine: self.engine, ..rust::Options::default() };
+        let options = rust::Options { engine: self.engine, ordered: self.options.level == Level::Ordered };
         let result = result.map(|(tables, warnings)| (rust::text(&tables, &options), warnings));
         Compiled { result: result.map_err(|failure| failure.diagnostics()), sources: loaded.sources }
     }

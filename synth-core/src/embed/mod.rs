@@ -4,6 +4,7 @@ mod attribute;
 pub mod plant;
 
 use self::attribute::{Attribute, take_off};
+use crate::controller::Level;
 use crate::diagnostic::{Code, Diagnostic, compile_errors, compile_errors_at};
 use crate::emit::rust::{self, Engine};
 use crate::explore::Limits;
@@ -58,22 +59,35 @@ impl Expander {
     }
 }
 
-/// Takes `#![engine = "…"]` off the beginning of the macro's input, which may have none.
+/// What the attributes of a macro choose.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Choices {
+    /// How generated code finds the row of a state.
+    pub engine: Engine,
+    /// How the controller is made smaller.
+    pub level: Level,
+}
+
+/// Takes `#![engine = "…"]` and `#![minimize = "…"]` off the beginning of the macro's input, which may have none.
 ///
 /// # Errors
 ///
 /// A `compile_error!` at what is wrong with it.
-pub fn engine(tokens: &TokenStream) -> Result<(Engine, TokenStream), TokenStream> {
-    const EXPECTED: &str = "`#![engine = \"…\"]`";
-    let mut engine = Engine::default();
+pub fn choices(tokens: &TokenStream) -> Result<(Choices, TokenStream), TokenStream> {
+    const EXPECTED: &str = "`#![engine = \"…\"]` or `#![minimize = \"…\"]`";
+    let mut choices = Choices::default();
     let rest = take_off(tokens, EXPECTED, |Attribute { name, value, span }| match value {
         Some((value, at)) if name == "engine" => {
-            engine = value.parse().map_err(|why| (*at, why))?;
+            choices.engine = value.parse().map_err(|why| (*at, why))?;
+            Ok(())
+        }
+        Some((value, at)) if name == "minimize" => {
+            choices.level = value.parse().map_err(|why| (*at, why))?;
             Ok(())
         }
         _ => Err((*span, format!("expected {EXPECTED}"))),
     })?;
-    Ok((engine, rest))
+    Ok((choices, rest))
 }
 
 /// What outputs name as the file of a specification that has none.
@@ -83,11 +97,11 @@ const INLINE: &str = "sml!";
 ///
 /// `read` is asked for imported files, relative to the folder of the package.
 #[must_use]
-pub fn inline(tokens: &TokenStream, engine: Engine, expander: Expander, read: Reader<'_>) -> TokenStream {
+pub fn inline(tokens: &TokenStream, choices: Choices, expander: Expander, read: Reader<'_>) -> TokenStream {
     let (file, diagnostics) = parse_tokens(tokens.clone(), Loaded::MAIN);
     let mut loaded = file.map_or_else(Loaded::default, |file| load_imports(INLINE, file, read));
     loaded.diagnostics.splice(0..0, diagnostics);
-    controller(&loaded, engine, expander).unwrap_or_else(|diagnostics| {
+    controller(&loaded, choices, expander).unwrap_or_else(|diagnostics| {
         let diagnostics = diagnostics.into_iter().map(advise_inline).collect::<Vec<_>>();
         compile_errors(&diagnostics, tokens, &loaded)
     })
@@ -99,18 +113,20 @@ pub fn file(
     path: &str,
     bytes: &[u8],
     span: Span,
-    engine: Engine,
+    choices: Choices,
     expander: Expander,
     read: Reader<'_>,
 ) -> TokenStream {
     let loaded = load(path, bytes, read);
-    controller(&loaded, engine, expander)
+    controller(&loaded, choices, expander)
         .unwrap_or_else(|diagnostics| compile_errors_at(span, &diagnostics, &loaded.sources))
 }
 
-fn controller(loaded: &Loaded, engine: Engine, expander: Expander) -> Result<TokenStream, Vec<Diagnostic>> {
-    match compile(loaded, &expander.options(), &mut Timings::default()) {
-        Ok(tables) => Ok(rust::module(&tables, &rust::Options { engine, ..rust::Options::default() })),
+fn controller(loaded: &Loaded, choices: Choices, expander: Expander) -> Result<TokenStream, Vec<Diagnostic>> {
+    let Choices { engine, level } = choices;
+    let options = Options { level, ..expander.options() };
+    match compile(loaded, &options, &mut Timings::default()) {
+        Ok(tables) => Ok(rust::module(&tables, &rust::Options { engine, ordered: level == Level::Ordered })),
         Err(failure) => {
             let file = file_to_be(loaded);
             Err(failure.diagnostics().into_iter().map(|d| expander.advise(d, file)).collect())
@@ -179,7 +195,7 @@ mod tests {
         );
         let tokens: TokenStream = text.parse().expect("tokens");
         let shown =
-            inline(&tokens, Engine::default(), Expander::Editor, &mut |_| Err(String::new())).to_string();
+            inline(&tokens, Choices::default(), Expander::Editor, &mut |_| Err(String::new())).to_string();
         for part in
             ["the limit of 10000 states was reached", "move it to a build script", "goes on to 100000"]
         {
