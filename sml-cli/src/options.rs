@@ -105,14 +105,13 @@ pub(crate) struct Minimize {
 }
 
 impl Minimize {
-    /// The level, or the name of one that is not there yet.
-    pub(crate) fn level(self) -> Result<Level, &'static str> {
+    pub(crate) fn level(self) -> Level {
         match self.minimize {
-            _ if self.no_minimize => Ok(Level::None),
-            Minimization::None => Ok(Level::None),
-            Minimization::Exact => Ok(Level::Exact),
-            Minimization::Assume => Err("--minimize assume"),
-            Minimization::Ordered => Err("--minimize ordered"),
+            _ if self.no_minimize => Level::None,
+            Minimization::None => Level::None,
+            Minimization::Exact => Level::Exact,
+            Minimization::Assume => Level::Assume,
+            Minimization::Ordered => Level::Ordered,
         }
     }
 }
@@ -131,9 +130,10 @@ pub(crate) enum Minimization {
     None,
     /// Merges states that no environment can tell apart
     Exact,
-    /// Not supported yet
+    /// Also merges states that differ only in events that cannot be pending there, however many come in one scan
     Assume,
-    /// Not supported yet
+    /// Also merges states that differ only in events that cannot happen there if each is answered before the next; for programs
+    /// that feed one event at a time
     Ordered,
 }
 

@@ -10,7 +10,8 @@
 //! ```
 //!
 //! An attribute in front chooses how generated code finds the row of a state: `#![engine = "auto"]` (what is taken without
-//! one), `"search"`, `"runs"` or `"comb"`.
+//! one), `"search"`, `"runs"` or `"comb"`. Another, `#![minimize = "ordered"]`, how the controller is made smaller: `"none"`, `"exact"` (what
+//! is taken without one), `"assume"` or `"ordered"`.
 //!
 //! ```text
 //! sml_macros::sml! { #![engine = "runs"] "specs/cell.sml" }
@@ -53,7 +54,7 @@ use synth_core::syntax::{Reader, read_bounded};
 /// A verified controller from a scenario specification, see the [crate] documentation.
 #[proc_macro]
 pub fn sml(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
-    expand(input, "a specification", embed::engine, embed::inline, embed::file)
+    expand(input, "a specification", embed::choices, embed::inline, embed::file)
 }
 
 /// A state-feedback controller from the automata of a plant, see the [crate] documentation.

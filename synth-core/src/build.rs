@@ -20,6 +20,7 @@
 //! that the environment variable `SML_CACHE` names, by all texts, all options and the version of the tool.
 
 use crate::cache::{self, Folder, Key, Store};
+use crate::controller::Level;
 use crate::controller::tables::{Provenance, Tables};
 use crate::diagnostic::{Code, Diagnostic, render};
 use crate::emit::rust::{self, Engine};
@@ -78,6 +79,13 @@ impl Build {
     #[must_use]
     pub fn options(mut self, options: Options) -> Self {
         self.options = options;
+        self
+    }
+
+    /// How the controller is made smaller. With [`Level::Ordered`] its module has the interface for one event at a time only.
+    #[must_use]
+    pub fn minimize(mut self, level: Level) -> Self {
+        self.options.level = level;
         self
     }
 
@@ -206,7 +214,7 @@ impl Build {
         let thorough = self.policy.denies_code(Code::NotNeeded);
         let result = run(loaded, &self.options, thorough, &mut Timings::default());
         let (tables, warnings) = result.map_err(|failure| failure.diagnostics())?;
-        let options = rust::Options { engine: self.engine, ..rust::Options::default() };
+        let options = rust::Options { engine: self.engine, ordered: self.options.level == Level::Ordered };
         Ok((rust::text(&tables, &options), warnings))
     }
 

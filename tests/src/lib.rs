@@ -18,5 +18,6 @@ pub mod reference;
 pub mod same;
 pub mod scan;
 pub mod scratch;
+pub mod smallest;
 pub mod survive;
 pub mod tables;

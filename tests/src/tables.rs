@@ -75,6 +75,7 @@ fn tables(specification: &str, states: u32) -> Tables {
             file: format!("specs/{}.sml", specification.to_lowercase()),
             hash: "00000000000000ff".to_owned(),
             options: String::new(),
+            level: synth_core::controller::Level::Exact,
             requirements: Vec::new(),
         },
     }

@@ -11,8 +11,7 @@ use sml_tests::{corpus, fast};
 use synth_core::controller::json::to_json;
 use synth_core::controller::tables::{Provenance, Tables};
 use synth_core::diagnostic;
-use synth_core::embed::{self, Expander};
-use synth_core::emit::rust::Engine;
+use synth_core::embed::{self, Choices, Expander};
 use synth_core::emit::{dot, mermaid, rust, st};
 use synth_core::pipeline::{Failure, Options, Timings, compile, specification, synthesize};
 use synth_core::syntax::{FileId, load_imports, parse_tokens};
@@ -125,13 +124,13 @@ fn from_tokens_and_from_a_file() {
 
         let mut read = |path: &str| Err(format!("{path}: the corpus imports nothing"));
         let inline =
-            embed::inline(&tokens, Engine::default(), Expander::Compiler, None, &mut read).to_string();
+            embed::inline(&tokens, Choices::default(), Expander::Compiler, None, &mut read).to_string();
         let bytes = entry.text.as_bytes();
         let file = embed::file(
             "spec.sml",
             bytes,
             Span::call_site(),
-            Engine::default(),
+            Choices::default(),
             Expander::Compiler,
             None,
             &mut read,

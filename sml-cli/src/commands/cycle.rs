@@ -6,7 +6,7 @@ use crate::options::Minimize;
 use crate::session::Session;
 use crate::{input, output};
 use std::path::PathBuf;
-use synth_core::controller::{Controller, stimulus};
+use synth_core::controller::{Controller, Level, stimulus};
 use synth_core::diagnostic::Code;
 
 /// Arguments of `sml cycle`.
@@ -50,7 +50,12 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
 }
 
 fn own(arguments: &Arguments, session: &mut Session) -> Result<Controller, Failure> {
-    let level = arguments.minimize.level().map_err(Failure::unsupported)?;
+    let level = arguments.minimize.level();
+    if level == Level::Ordered {
+        return Err(Failure::usage(
+            "a cycle takes several events at once, and `--minimize ordered` needs them one at a time",
+        ));
+    }
     let given = input::given(&arguments.file)?;
     if given.is_plant && Follow::events(arguments.follow) {
         return Ok(follow::follow(&mut session.plant(&given)?, level, "", session)?.controller);

@@ -8,8 +8,8 @@ use crate::{input, output};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use synth_core::controller::interface;
 use synth_core::controller::tables::Tables;
+use synth_core::controller::{Level, interface};
 use synth_core::emit::{rust, st};
 use synth_core::pipeline::{alphabet, provenance};
 use synth_core::plant::event_based;
@@ -98,7 +98,7 @@ fn of_specification(given: &Given, session: &mut Session) -> Result<Tables, Fail
     let explored = session.explore(&loaded, &spec)?;
     // Names come from the whole graph, so there is no need to know who wins.
     let controller = interface(&explored.game, &alphabet(&explored.playout));
-    Ok(Tables::new(&spec.name, &controller, provenance(&loaded, &spec)))
+    Ok(Tables::new(&spec.name, &controller, provenance(&loaded, &spec, Level::default())))
 }
 
 fn json(target: &str, names: &st::NameMap) -> String {

@@ -51,7 +51,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let Arguments { file, script, strategy, minimize } = arguments;
     let by_hand = PathBuf::from("-");
     input::one_stdin([file, script.as_ref().unwrap_or(&by_hand)])?;
-    let level = minimize.level().map_err(Failure::unsupported)?;
+    let level = minimize.level();
     let given = input::given(file)?;
     if given.is_plant {
         plant::refuse(&[("--strategy", *strategy), ("--minimize", minimize.is_given())])?;

@@ -24,7 +24,7 @@ pub(crate) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, Failure> {
-    let level = arguments.minimize.level().map_err(Failure::unsupported)?;
+    let level = arguments.minimize.level();
     output::refuse(arguments.output.as_deref(), &arguments.file)?;
     let loaded = session.load(&arguments.file)?;
     let spec = session.specification(&loaded)?;

@@ -1,9 +1,11 @@
 //! Fewer states with the same behaviour.
 
 use super::partition::{Partition, bucket};
+use super::reduce::{Mealy, reduce};
 use super::{Controller, SuperStep};
 use hashbrown::HashMap;
 use rustc_hash::FxBuildHasher;
+use std::str::FromStr;
 
 /// How far [`minimize`] goes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -13,6 +15,42 @@ pub enum Level {
     /// Merges the states that no environment can tell apart, whatever it does: what is refused stays refused.
     #[default]
     Exact,
+    /// Also merges where the states differ only in events that cannot be pending there, however many come in one scan.
+    /// [`minimize`] cannot know which these are and takes it for `Exact`; [`crate::pipeline`] finds out and calls
+    /// [`minimize_assuming`].
+    Assume,
+    /// Also merges where the states differ only in events that cannot happen there if each event is answered before the next:
+    /// for [`react`](super::cycle::Machine::react), one event at a time.
+    Ordered,
+}
+
+impl Level {
+    /// What it is called in options.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Level::None => "none",
+            Level::Exact => "exact",
+            Level::Assume => "assume",
+            Level::Ordered => "ordered",
+        }
+    }
+
+    /// The option of the command line that chooses it, with a space in front, if it need be said.
+    #[must_use]
+    pub fn option(self) -> String {
+        if self == Level::default() { String::new() } else { format!(" --minimize {}", self.name()) }
+    }
+}
+
+impl FromStr for Level {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Level, String> {
+        let levels = [Level::None, Level::Exact, Level::Assume, Level::Ordered];
+        let level = levels.into_iter().find(|level| level.name() == name);
+        level.ok_or_else(|| format!("unknown level `{name}`; there are `none`, `exact`, `assume`, `ordered`"))
+    }
 }
 
 /// The smallest controller that behaves the same, as far as `level` allows.
@@ -27,10 +65,28 @@ pub enum Level {
 pub fn minimize(controller: &Controller, level: Level) -> Controller {
     match level {
         Level::None => controller.clone(),
-        Level::Exact => {
+        Level::Exact | Level::Assume => {
             let rows = Rows::new(controller);
             quotient(controller, &rows, &bisimulation(controller, &rows))
         }
+        Level::Ordered => {
+            let exact = minimize(controller, Level::Exact);
+            let nothing = vec![Vec::new(); exact.states as usize];
+            minimize_assuming(&exact, &nothing)
+        }
+    }
+}
+
+/// A controller that does the same where an event has a row or is in `refused`: per state, ascending, events without rows that must
+/// have none. Everything else is a don't-care. What a state owes is the union over those that it stands for.
+///
+/// The result is small, not always the smallest; see `reduce`. States in which the controller both waits and acts, which only
+/// plants have, and super steps without end leave the controller as it is.
+#[must_use]
+pub fn minimize_assuming(controller: &Controller, refused: &[Vec<u32>]) -> Controller {
+    match Mealy::new(controller, refused) {
+        Some(mealy) => reduce(mealy).controller(controller),
+        None => controller.clone(),
     }
 }
 

@@ -12,13 +12,14 @@ pub mod json;
 pub mod minimize;
 pub mod number;
 pub(crate) mod partition;
+mod reduce;
 pub mod runs;
 pub mod stimulus;
 pub mod super_steps;
 pub mod tables;
 
 pub use alphabet::{Alphabet, Letter};
-pub use minimize::{Level, minimize};
+pub use minimize::{Level, minimize, minimize_assuming};
 pub use number::number;
 pub use super_steps::{EndlessSuperStep, interface, merge};
 

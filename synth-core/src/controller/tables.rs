@@ -1,7 +1,7 @@
 //! The tables that every back end emits (controller contract, section 2): one mapping function per environment
 //! event, one for the super steps with a command code per component.
 
-use super::{Component, Controller, Event};
+use super::{Component, Controller, Event, Level};
 use crate::fnv::Fnv;
 
 /// Bumped whenever the meaning of emitted tables changes; part of every output.
@@ -61,6 +61,8 @@ pub struct Provenance {
     /// Options beside those of the target, as in a command line, each with a space in front: those that made another
     /// controller of it than the defaults would, and where templates went.
     pub options: String,
+    /// How the controller was minimised.
+    pub level: Level,
     /// Every scenario in textual order.
     pub requirements: Vec<Requirement>,
 }
@@ -117,13 +119,17 @@ impl Tables {
     }
 
     /// What a saved state means: two controllers have the same version if states, events and commands are the same in
-    /// both, whatever language or engine they are in; what is owed does not count. Not 0, which memory holds that has
+    /// both, and don't-cares were used alike, whatever language or engine they are in; what is owed does not count. Not 0, which memory holds that has
     /// never been written, and within all integer types of 32 bits.
     #[must_use]
     pub fn version(&self) -> u32 {
         let mut hash = Fnv::new();
         hash.numbers(&[FORMAT_VERSION, self.states, self.initial]);
         hash.text(&self.specification);
+        // Who saved what was pending, or saw every event of a scan, may have been in a state that means something else here.
+        if matches!(self.provenance.level, Level::Assume | Level::Ordered) {
+            hash.text(self.provenance.level.name());
+        }
         for table in &self.events {
             hash.text(&table.event.text);
             hash.numbers(&table.mapping.source);

@@ -24,7 +24,8 @@ pub(super) fn cached(
 mod tests {
     use super::*;
     use crate::cache::Recent;
-    use crate::embed::{self, Expander, plant};
+    use crate::controller::Level;
+    use crate::embed::{self, Choices, Expander, plant};
     use crate::emit::rust::Engine;
     use crate::testing::world;
     use proc_macro2::Span;
@@ -53,40 +54,44 @@ mod tests {
     }
 
     const EDITOR: Expander = Expander::Editor;
+    const AUTO: Choices = Choices { engine: Engine::Auto, level: Level::Exact };
+    const RUNS: Choices = Choices { engine: Engine::Runs, ..AUTO };
+    const ORDERED: Choices = Choices { level: Level::Ordered, ..AUTO };
 
     #[test]
     fn scenarios_in_place() {
         let store = Counting::default();
-        let expand = |text: &str, engine, expander, import: &str| {
+        let expand = |text: &str, choices, expander, import: &str| {
             let module =
-                embed::inline(&tokens(text), engine, expander, Some(&store), &mut |_| Ok(import.into()));
+                embed::inline(&tokens(text), choices, expander, Some(&store), &mut |_| Ok(import.into()));
             (module.to_string(), store.put.get())
         };
         let import =
             world("guarantee scenario Answers { user -> control.press() urgent control -> lamp.on() }");
         let text = "import \"world.sml\" specification Main { collaboration Main { \
                     /// The lamp stays on.\n guarantee scenario Stays { control -> lamp.on() } } }";
-        let (first, synthesised) = expand(text, Engine::Auto, EDITOR, &import);
+        let (first, synthesised) = expand(text, AUTO, EDITOR, &import);
         assert!(synthesised == 1 && first.contains("pub mod main"), "{first}");
-        let again = expand(text, Engine::Auto, EDITOR, &import);
+        let again = expand(text, AUTO, EDITOR, &import);
         assert_eq!(again, (first.clone(), 1));
-        let moved = expand(&format!("\n\n{}", text.replace("{ ", "{\n  ")), Engine::Auto, EDITOR, &import);
+        let moved = expand(&format!("\n\n{}", text.replace("{ ", "{\n  ")), AUTO, EDITOR, &import);
         assert_eq!(moved, (first.clone(), 1), "blanks make no difference");
 
-        for (count, (text, engine, expander, import)) in [
-            (text.replace("stays", "remains"), Engine::Auto, EDITOR, import.clone()),
-            (text.replace("Stays", "Remains"), Engine::Auto, EDITOR, import.clone()),
-            (text.to_owned(), Engine::Runs, EDITOR, import.clone()),
-            (text.to_owned(), Engine::Auto, Expander::Compiler, import.clone()),
-            (text.to_owned(), Engine::Auto, EDITOR, import.replace("lamp.on", "lamp.off")),
+        for (count, (text, choices, expander, import)) in [
+            (text.replace("stays", "remains"), AUTO, EDITOR, import.clone()),
+            (text.replace("Stays", "Remains"), AUTO, EDITOR, import.clone()),
+            (text.to_owned(), RUNS, EDITOR, import.clone()),
+            (text.to_owned(), ORDERED, EDITOR, import.clone()),
+            (text.to_owned(), AUTO, Expander::Compiler, import.clone()),
+            (text.to_owned(), AUTO, EDITOR, import.replace("lamp.on", "lamp.off")),
         ]
         .into_iter()
         .enumerate()
         {
-            assert_eq!(expand(&text, engine, expander, &import).1, count + 2);
+            assert_eq!(expand(&text, choices, expander, &import).1, count + 2);
         }
-        let wrong = expand("specification Main { object a: Gone }", Engine::Auto, EDITOR, &import);
-        assert!(wrong.0.contains("compile_error") && wrong.1 == 6, "what is wrong is not kept");
+        let wrong = expand("specification Main { object a: Gone }", AUTO, EDITOR, &import);
+        assert!(wrong.0.contains("compile_error") && wrong.1 == 7, "what is wrong is not kept");
     }
 
     #[test]
@@ -95,7 +100,7 @@ mod tests {
         let expand = |bytes: &[u8]| {
             let read = &mut |_: &str| Err(String::new());
             let span = Span::call_site();
-            let module = embed::file("a.sml", bytes, span, Engine::Auto, EDITOR, Some(&store), read);
+            let module = embed::file("a.sml", bytes, span, AUTO, EDITOR, Some(&store), read);
             (module.to_string(), store.put.get())
         };
         let text =

@@ -7,6 +7,7 @@ pub mod plant;
 use self::attribute::{Attribute, take_off};
 use self::cached::cached;
 use crate::cache::{Key, Store};
+use crate::controller::Level;
 use crate::controller::tables::Provenance;
 use crate::diagnostic::{Code, Diagnostic, compile_errors, compile_errors_at};
 use crate::emit::rust::{self, Engine};
@@ -62,22 +63,35 @@ impl Expander {
     }
 }
 
-/// Takes `#![engine = "…"]` off the beginning of the macro's input, which may have none.
+/// What the attributes of a macro choose.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Choices {
+    /// How generated code finds the row of a state.
+    pub engine: Engine,
+    /// How the controller is made smaller.
+    pub level: Level,
+}
+
+/// Takes `#![engine = "…"]` and `#![minimize = "…"]` off the beginning of the macro's input, which may have none.
 ///
 /// # Errors
 ///
 /// A `compile_error!` at what is wrong with it.
-pub fn engine(tokens: &TokenStream) -> Result<(Engine, TokenStream), TokenStream> {
-    const EXPECTED: &str = "`#![engine = \"…\"]`";
-    let mut engine = Engine::default();
+pub fn choices(tokens: &TokenStream) -> Result<(Choices, TokenStream), TokenStream> {
+    const EXPECTED: &str = "`#![engine = \"…\"]` or `#![minimize = \"…\"]`";
+    let mut choices = Choices::default();
     let rest = take_off(tokens, EXPECTED, |Attribute { name, value, span }| match value {
         Some((value, at)) if name == "engine" => {
-            engine = value.parse().map_err(|why| (*at, why))?;
+            choices.engine = value.parse().map_err(|why| (*at, why))?;
+            Ok(())
+        }
+        Some((value, at)) if name == "minimize" => {
+            choices.level = value.parse().map_err(|why| (*at, why))?;
             Ok(())
         }
         _ => Err((*span, format!("expected {EXPECTED}"))),
     })?;
-    Ok((engine, rest))
+    Ok((choices, rest))
 }
 
 /// What outputs name as the file of a specification that has none.
@@ -90,7 +104,7 @@ const INLINE: &str = "sml!";
 #[must_use]
 pub fn inline(
     tokens: &TokenStream,
-    engine: Engine,
+    choices: Choices,
     expander: Expander,
     store: Option<&dyn Store>,
     read: Reader<'_>,
@@ -98,7 +112,7 @@ pub fn inline(
     let (file, diagnostics) = parse_tokens(tokens.clone(), Loaded::MAIN);
     let mut loaded = file.map_or_else(Loaded::default, |file| load_imports(INLINE, file, read));
     loaded.diagnostics.splice(0..0, diagnostics);
-    controller(&loaded, engine, expander, store).unwrap_or_else(|diagnostics| {
+    controller(&loaded, choices, expander, store).unwrap_or_else(|diagnostics| {
         let diagnostics = diagnostics.into_iter().map(advise_inline).collect::<Vec<_>>();
         compile_errors(&diagnostics, tokens, &loaded)
     })
@@ -110,24 +124,26 @@ pub fn file(
     path: &str,
     bytes: &[u8],
     span: Span,
-    engine: Engine,
+    choices: Choices,
     expander: Expander,
     store: Option<&dyn Store>,
     read: Reader<'_>,
 ) -> TokenStream {
     let loaded = load(path, bytes, read);
-    controller(&loaded, engine, expander, store)
+    controller(&loaded, choices, expander, store)
         .unwrap_or_else(|diagnostics| compile_errors_at(span, &diagnostics, &loaded.sources))
 }
 
 fn controller(
     loaded: &Loaded,
-    engine: Engine,
+    choices: Choices,
     expander: Expander,
     store: Option<&dyn Store>,
 ) -> Result<TokenStream, Vec<Diagnostic>> {
+    let Choices { engine, level } = choices;
+    let options = Options { level, ..expander.options() };
     let key = || {
-        let key = Key::new("sml!", &(engine, expander.options())).sources(&loaded.sources);
+        let key = Key::new("sml!", &(engine, options)).sources(&loaded.sources);
         match loaded.files.last() {
             // Tokens have no text; as for the hash of the input, the canonical form stands for it.
             Some(main) if is_inline(loaded) => key.text(&print(main)),
@@ -136,10 +152,10 @@ fn controller(
     };
     // What cannot be read at all may be shown as if it could.
     let store = store.filter(|_| loaded.diagnostics.is_empty());
-    cached(store, key, || match compile(loaded, &expander.options(), &mut Timings::default()) {
+    cached(store, key, || match compile(loaded, &options, &mut Timings::default()) {
         Ok(mut tables) => {
             without_lines(&mut tables.provenance, INLINE);
-            Ok(rust::module(&tables, &rust::Options { engine, ..rust::Options::default() }))
+            Ok(rust::module(&tables, &rust::Options { engine, ordered: level == Level::Ordered }))
         }
         Err(failure) => {
             let file = file_to_be(loaded);
@@ -214,7 +230,7 @@ mod tests {
              controllable {{ Control }} collaboration C {{ {scenarios} }} }}"
         );
         let tokens: TokenStream = text.parse().expect("tokens");
-        let shown = inline(&tokens, Engine::default(), Expander::Editor, None, &mut |_| Err(String::new()))
+        let shown = inline(&tokens, Choices::default(), Expander::Editor, None, &mut |_| Err(String::new()))
             .to_string();
         for part in
             ["the limit of 10000 states was reached", "move it to a build script", "goes on to 100000"]

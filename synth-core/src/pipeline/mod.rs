@@ -11,7 +11,7 @@ pub use figures::Figures;
 pub use origin::{alphabet, provenance};
 
 use crate::controller::tables::Tables;
-use crate::controller::{Controller, EndlessSuperStep, Level, merge, minimize, number};
+use crate::controller::{Controller, EndlessSuperStep, Level, merge, minimize, minimize_assuming, number};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::explain::explain;
 use crate::explore::{Explored, Limits, explore};
@@ -20,7 +20,7 @@ use crate::model::{Spec, resolve::resolve};
 use crate::playout::{Config, Semantics};
 use crate::quality;
 use crate::syntax::Loaded;
-use crate::verify::verify;
+use crate::verify::{batches, verify};
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
@@ -99,7 +99,9 @@ pub fn compile(loaded: &Loaded, options: &Options, timings: &mut Timings) -> Res
     let spec = timings.stage("resolve", || specification(loaded))?;
     let mut solved = play_and_solve(&spec, options, timings)?;
     let verified = synthesize(&mut solved, options, timings)?;
-    Ok(timings.stage("tables", || Tables::new(&spec.name, &verified.controller, provenance(loaded, &spec))))
+    Ok(timings.stage("tables", || {
+        Tables::new(&spec.name, &verified.controller, provenance(loaded, &spec, options.level))
+    }))
 }
 
 /// As [`compile`], with everything that the specification is warned of; `thorough` as for [`warnings`].
@@ -116,7 +118,7 @@ pub fn compile_with_warnings(
     let mut solved = play_and_solve(&spec, options, timings)?;
     let verified = synthesize(&mut solved, options, timings)?;
     let warnings = warnings(loaded, &mut solved, thorough, timings)?;
-    let tables = || Tables::new(&spec.name, &verified.controller, provenance(loaded, &spec));
+    let tables = || Tables::new(&spec.name, &verified.controller, provenance(loaded, &spec, options.level));
     Ok((timings.stage("tables", tables), warnings))
 }
 
@@ -175,7 +177,13 @@ pub fn synthesize(
     let raw = timings.stage("super steps", || merged(explored, &strategy));
     let raw =
         raw.map_err(|endless| Failure::Wrong(vec![endless::diagnostic(explored, &strategy, endless)]))?;
-    let controller = timings.stage("minimise", || minimize(&raw, options.level));
+    let mut controller = timings.stage("minimise", || minimize(&raw, options.level));
+    if options.level == Level::Assume {
+        let refused = timings.stage("batches", || {
+            batches::refused(&mut explored.playout, &controller, most_batches(options))
+        })?;
+        controller = timings.stage("minimise", || minimize_assuming(&controller, &refused));
+    }
     let controller = timings.stage("number", || number(controller));
     // The limit on states was kept by exploration. The product has a node of its own for each way into a super step.
     let spec = explored.playout.spec();
@@ -185,7 +193,16 @@ pub fn synthesize(
         timings.stage("verify unminimised", || verify(&raw))?;
     }
     let product_nodes = timings.stage("verify", || verify(&controller))?;
+    if options.level == Level::Assume {
+        let agree = || batches::agree(&mut explored.playout, &raw, &controller, most_batches(options));
+        timings.stage("verify batches", agree)?;
+    }
     Ok(Verified { controller, unminimized_states: raw.states, product_nodes })
+}
+
+/// So many nodes of plays with several events in a scan fit the limits: a node takes 64 bytes with its place in the index.
+fn most_batches(options: &Options) -> usize {
+    options.limits.states.min(options.limits.memory / 64).min(MOST_NODES)
 }
 
 /// Everything that a specification is warned of, in the order of places. With plays: what exploration shows, and if

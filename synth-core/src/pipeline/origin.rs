@@ -1,7 +1,7 @@
 //! What the back ends are told of the specification: its events, its requirements, where it came from.
 
 use crate::controller::tables::{Provenance, Requirement};
-use crate::controller::{Alphabet, Event, Letter};
+use crate::controller::{Alphabet, Event, Letter, Level};
 use crate::model::{Kind, Scenario, Spec};
 use crate::playout::Playout;
 use crate::syntax::Loaded;
@@ -31,7 +31,7 @@ pub fn alphabet(playout: &Playout<'_>) -> Alphabet {
 
 /// What outputs say of their origin.
 #[must_use]
-pub fn provenance(loaded: &Loaded, spec: &Spec) -> Provenance {
+pub fn provenance(loaded: &Loaded, spec: &Spec, level: Level) -> Provenance {
     let requirement = |scenario: &Scenario| Requirement {
         scenario: scenario.name.clone(),
         kind: match scenario.kind {
@@ -46,7 +46,8 @@ pub fn provenance(loaded: &Loaded, spec: &Spec) -> Provenance {
     Provenance {
         file: loaded.sources.path(Loaded::MAIN).to_owned(),
         hash: loaded.hash(),
-        options: String::new(),
+        options: level.option(),
+        level,
         requirements: spec.scenarios.iter().map(requirement).collect(),
     }
 }

@@ -143,7 +143,8 @@ pub struct Followed {
     pub races: Races,
 }
 
-/// The whole way from a plant to a controller that follows its events; states need not be readable.
+/// The whole way from a plant to a controller that follows its events; states need not be readable. Levels that use don't-cares
+/// are for specifications, and taken for [`Level::Exact`] here.
 ///
 /// # Errors
 /// As [`feedback`].
@@ -155,6 +156,7 @@ pub fn follow(
 ) -> Result<Followed, Failure> {
     let closed = feedback(plant, limits, timings)?;
     let controller = timings.stage("extract", || event_based::controller(plant, &closed));
+    let level = if level == Level::None { level } else { Level::Exact };
     let controller = timings.stage("minimise", || number(minimize(&controller, level)));
     let races = timings.stage("races", || event_based::races(plant, &closed));
     Ok(Followed { closed, controller, races })

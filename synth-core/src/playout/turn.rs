@@ -131,6 +131,37 @@ impl Playout<'_> {
         Ok(())
     }
 
+    /// What the environment can send in `config` whoever has the turn, in the order of the texts, and the states after it: events that
+    /// violate no assumption, and are spontaneous or asked for by one. A guarantee that such an event violates is
+    /// dropped.
+    ///
+    /// # Errors
+    ///
+    /// One of these meets a mistake of the specification.
+    pub fn sendable(&mut self, config: &Config) -> Result<Vec<(EventId, Config)>, (EventId, PlayError)> {
+        let spontaneous = self.events.universe().filter(|&event| self.events.get(event).spontaneous);
+        let mut candidates: Vec<EventId> = spontaneous.collect();
+        candidates.extend(self.wishes(config).environment.iter().map(|wish| wish.1));
+        candidates.sort_unstable();
+        candidates.dedup();
+        let mut sendable = Vec::new();
+        for event in candidates {
+            if !self.is_linked(config, event) {
+                continue;
+            }
+            let mut step = Step::default();
+            self.step(config, event, &mut step);
+            if step.violates(self.spec, Kind::Assumption) {
+                continue;
+            }
+            if let Some(mistake) = step.error {
+                return Err((event, mistake));
+            }
+            sendable.push((event, step.config));
+        }
+        Ok(sendable)
+    }
+
     /// The environment's events that open assumptions ask for in `config`, ascending: what it *owes*.
     pub fn owed(&mut self, config: &Config) -> Vec<EventId> {
         let mut owed: Vec<EventId> = self.wishes(config).environment.into_iter().map(|wish| wish.1).collect();

@@ -10,6 +10,7 @@
 //! that violates a guarantee, a command that is not allowed, a super step that ends too early. `fairness` looks
 //! for a cycle on which every assumption is kept and some guarantee starves.
 
+pub mod batches;
 mod fairness;
 mod machine;
 mod product;

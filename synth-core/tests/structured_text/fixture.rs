@@ -36,6 +36,7 @@ pub(crate) fn lamp() -> Tables {
             file: "specs/lamp.sml".to_owned(),
             hash: "0123456789abcdef".to_owned(),
             options: String::new(),
+            level: synth_core::controller::Level::Exact,
             requirements: Vec::new(),
         },
     }

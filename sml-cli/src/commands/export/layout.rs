@@ -55,9 +55,15 @@ impl<'a> Layout<'a> {
             return usage(format!("there are no templates for target `{target}`"));
         }
         arguments.checks_something()?;
-        let level = arguments.minimize.level().map_err(Failure::unsupported)?;
+        let level = arguments.minimize.level();
+        if level == Level::Ordered && structured_text.is_some() {
+            return usage(format!(
+                "target `{target}` reads all inputs of a scan at once, and `--minimize ordered` needs events one at a time; \
+                 `--minimize assume` is for that"
+            ));
+        }
         output::refuse(arguments.output.as_deref(), &arguments.file)?;
-        let rust = rust::Options { engine: engine.unwrap_or_default(), ..rust::Options::default() };
+        let rust = rust::Options { engine: engine.unwrap_or_default(), ordered: level == Level::Ordered };
         let options = Options { rust, text: text.options(structured_text.unwrap_or_default()) };
         Ok(Layout { arguments, write, options, level })
     }

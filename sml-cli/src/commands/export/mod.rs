@@ -20,7 +20,6 @@ use crate::warnings::Warnings;
 use stale::Found;
 use std::path::{Path, PathBuf};
 use structured_text::StructuredText;
-use synth_core::controller::Level;
 use synth_core::emit::{rust, shell};
 
 /// Arguments of `sml export`.
@@ -109,10 +108,7 @@ impl Arguments {
     /// The options that are not a target's own, as far as they change what is written.
     pub(super) fn general_options(&self, session: &Session) -> String {
         let classic = if session.semantics().classic { " --classic" } else { "" };
-        let level = match self.minimize.level() {
-            Ok(Level::None) => " --minimize none",
-            _ => "",
-        };
+        let level = self.minimize.level().option();
         let folder = self.templates.as_ref().map(|folder| shell::quoted(&folder.display().to_string()));
         let templates = folder.map(|folder| format!(" --templates {folder}")).unwrap_or_default();
         format!("{classic}{level}{templates}")

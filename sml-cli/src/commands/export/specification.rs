@@ -17,6 +17,7 @@ pub(super) fn run(arguments: &Arguments, given: &Given, session: &mut Session) -
     let policy = arguments.warnings.policy();
     let warnings = session.warnings_beside(&loaded, &mut solved, &policy)?;
     warnings::show(warnings, &policy, &loaded.sources, session)?;
-    let provenance = Provenance { options: arguments.general_options(session), ..provenance(&loaded, &spec) };
+    let options = arguments.general_options(session);
+    let provenance = Provenance { options, ..provenance(&loaded, &spec, layout.level) };
     layout.write(&Tables::new(&spec.name, &controller, provenance), &controller, session)
 }

@@ -44,6 +44,12 @@ pub(in crate::commands) fn follow(
     options: &str,
     session: &mut Session,
 ) -> Result<Followed, Failure> {
+    if matches!(level, Level::Assume | Level::Ordered) {
+        let name = level.name();
+        return Err(Failure::usage(format!(
+            "`--minimize {name}` is for specifications, whose assumptions it uses"
+        )));
+    }
     let ReadPlant { sources, plant, warnings, provenance } = read;
     let followed = session.follow(plant, level).map_err(|failure| Failure::of(&failure, sources))?;
     let mut warnings = std::mem::take(warnings);

@@ -8,6 +8,7 @@ use quote::quote;
 use super::Options;
 use super::controller::Bounds;
 use super::engine::Rows;
+use crate::controller::Level;
 use crate::controller::tables::{Requirement, Tables};
 use crate::diagnostic::counted;
 
@@ -26,6 +27,7 @@ pub(super) fn code(text: &str) -> String {
 pub(super) fn module(tables: &Tables, options: &Options, engine: &dyn Rows) -> TokenStream {
     let mut text = format!("Controller of the specification {}.\n", code(&tables.specification));
     costs(&mut text, tables, options, engine);
+    level(&mut text, tables.provenance.level);
     requirements(&mut text, &tables.provenance.requirements);
     diagram(&mut text, tables);
     let lines = text.lines().map(|line| if line.is_empty() { String::new() } else { format!(" {line}") });
@@ -51,6 +53,22 @@ fn costs(text: &mut String, tables: &Tables, options: &Options, engine: &dyn Row
         let _ = write!(text, " A cycle takes at most {}.", counted(cycle as usize, "probe"));
     }
     text.push('\n');
+}
+
+/// What a controller minimised by don't-cares needs of the program.
+fn level(text: &mut String, level: Level) {
+    text.push_str(match level {
+        Level::None | Level::Exact => return,
+        Level::Assume => {
+            "\nMinimised by what cannot be pending together (`--minimize assume`): events that the assumptions exclude may be \
+             taken for others.\n"
+        }
+        Level::Ordered => {
+            "\nMinimised for one event at a time (`--minimize ordered`): events must be given in the order in which they \
+             happened, and each only when the commands of the one before are issued. Events that the assumptions exclude may be \
+             taken for others.\n"
+        }
+    });
 }
 
 fn requirements(text: &mut String, requirements: &[Requirement]) {
