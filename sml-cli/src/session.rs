@@ -114,7 +114,7 @@ impl Session {
             return Err(Failure::usage("`--classic` means nothing to a plant"));
         }
         let read = || plant::Loaded::of_file(&given.name, &given.bytes);
-        let plant::Loaded { plant, sources, provenance } = self.timings.stage("parse", read);
+        let plant::Loaded { plant, sources, provenance, .. } = self.timings.stage("parse", read);
         match plant {
             Ok((plant, warnings)) => Ok(ReadPlant { sources, plant, warnings, provenance }),
             Err(wrong) => Err(Failure::of(&pipeline::Failure::Wrong(wrong), &sources)),
