@@ -10,6 +10,7 @@ mod input;
 mod options;
 mod output;
 mod session;
+mod timings;
 mod warnings;
 
 use clap::Parser as _;

@@ -3,19 +3,19 @@
 use crate::failure::{Exit, Failure, nowhere};
 use crate::input::Given;
 use crate::options::{Color, Common, Format};
-use crate::{input, output};
+use crate::{input, output, timings};
 use std::io::IsTerminal;
 use std::path::Path;
 use std::sync::mpsc;
 use std::time::Duration;
 use synth_core::controller::tables::Provenance;
 use synth_core::controller::{Controller, Level};
-use synth_core::diagnostic::{Code, Diagnostic, counted};
+use synth_core::diagnostic::{Code, Diagnostic};
 use synth_core::existential::{Existential, existential};
 use synth_core::explain::{Explanation, explain};
 use synth_core::explore::{Explored, explore};
 use synth_core::model::Spec;
-use synth_core::pipeline::{self, Options, Solved, Timings, Verified};
+use synth_core::pipeline::{self, Options, Size, Solved, Timings, Verified};
 use synth_core::plant::pipeline::{Followed, ModularlySupervised, Supervised};
 use synth_core::plant::{self, ClosedLoop, Plant, Synthesis};
 use synth_core::playout::Semantics;
@@ -26,7 +26,6 @@ use synth_core::syntax::{Loaded, Sources};
 pub(crate) struct Session {
     common: Common,
     timings: Timings,
-    size: Option<Size>,
 }
 
 /// A plant and the text that it comes from.
@@ -38,29 +37,9 @@ pub(crate) struct ReadPlant {
     pub(crate) provenance: Provenance,
 }
 
-/// What exploration found, for `--timings`.
-struct Size {
-    states: usize,
-    edges: usize,
-    /// Bytes for states and what is remembered of steps, and for each edge.
-    of_states: usize,
-    of_edges: usize,
-}
-
-impl Size {
-    fn of(explored: &Explored<'_>) -> Self {
-        Size {
-            states: explored.game.states(),
-            edges: explored.game.edges(),
-            of_states: explored.memory_of_states(),
-            of_edges: explored.memory_of_edges(),
-        }
-    }
-}
-
 impl Session {
     pub(crate) fn new(common: Common) -> Self {
-        Session { common, timings: Timings::default(), size: None }
+        Session { common, timings: Timings::with_peak(timings::peak) }
     }
 
     pub(crate) fn format(&self) -> Format {
@@ -148,6 +127,7 @@ impl Session {
         let limits = self.common.limits();
         let synthesis = patiently(|| plant::pipeline::synthesis(plant, &limits, &mut self.timings))?;
         let closed = self.timings.stage("close", || synthesis.closed_loop(&limits));
+        self.timings.size(Size::of_closed_loop(&closed));
         Ok((synthesis, closed))
     }
 
@@ -186,16 +166,14 @@ impl Session {
         let options = self.options(Level::default());
         let explored = self.timings.stage("explore", || explore(spec, options.semantics, &options.limits));
         let explored = explored.map_err(|error| Failure::of(&error.into(), &loaded.sources))?;
-        self.size = Some(Size::of(&explored));
+        self.timings.size(Size::of_game(&explored));
         Ok(explored)
     }
 
     pub(crate) fn solve<'s>(&mut self, loaded: &Loaded, spec: &'s Spec) -> Result<Solved<'s>, Failure> {
         let options = self.options(Level::default());
         let solved = pipeline::play_and_solve(spec, &options, &mut self.timings);
-        let solved = solved.map_err(|failure| Failure::of(&failure, &loaded.sources))?;
-        self.size = Some(Size::of(&solved.explored));
-        Ok(solved)
+        solved.map_err(|failure| Failure::of(&failure, &loaded.sources))
     }
 
     pub(crate) fn synthesize(
@@ -268,25 +246,8 @@ impl Session {
 
     /// To stderr, if asked for.
     pub(crate) fn print_timings(&self) {
-        if !self.common.timings {
-            return;
-        }
-        let line = |name: &str, time: Duration| {
-            output::note(&format!("{name:<19} {:>12.3} ms", time.as_secs_f64() * 1e3));
-        };
-        for (name, time) in &self.timings.0 {
-            line(name, *time);
-        }
-        line("total", self.timings.0.iter().map(|stage| stage.1).sum());
-        if let Some(Size { states, edges, of_states, of_edges }) = &self.size {
-            let each = |bytes: usize, count: usize| bytes as f64 / count.max(1) as f64;
-            output::note(&format!(
-                "{}, {}: {:.1} bytes for a state, {:.1} for a transition",
-                counted(*states, "state"),
-                counted(*edges, "transition"),
-                each(*of_states, *states),
-                each(*of_edges, *edges)
-            ));
+        if self.common.timings {
+            output::note(timings::shown(&self.timings, self.common.format).trim_end());
         }
     }
 }

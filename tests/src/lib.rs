@@ -3,8 +3,8 @@
 
 pub mod beside;
 pub mod corpus;
+pub mod families;
 pub mod fast;
-pub mod line;
 pub mod memory_naive;
 pub mod naive;
 pub mod plant_builder;

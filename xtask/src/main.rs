@@ -3,11 +3,14 @@
 //! `cargo xtask bare-metal setup` brings what firmware needs, `cargo xtask bare-metal test` builds it, runs it in an
 //! emulator and measures it. `cargo xtask msrv` compiles the runtime and generated modules with the oldest compiler that they
 //! are for. `cargo xtask compare` measures other ways to write a state machine beside these tables.
+//! `cargo xtask performance` measures synthesis on families of specifications that grow.
 
 mod bare_metal;
 mod compare;
 mod failure;
 mod msrv;
+mod performance;
+mod plot;
 mod process;
 mod progress;
 
@@ -26,6 +29,8 @@ enum Task {
     Msrv,
     /// One controller as tables of this project and as other state machines: flash, RAM, instructions, compile time.
     Compare(compare::Options),
+    /// Time, memory and instructions of each stage on families of specifications that grow.
+    Performance(performance::Options),
 }
 
 #[derive(Subcommand)]
@@ -53,6 +58,7 @@ fn main() -> ExitCode {
         Task::BareMetal(BareMetal::Test { targets, bless }) => bare_metal::test(&or_all(targets), bless),
         Task::Msrv => msrv::check(),
         Task::Compare(options) => compare::run(&options),
+        Task::Performance(options) => performance::run(&options),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

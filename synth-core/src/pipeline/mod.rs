@@ -5,10 +5,12 @@ mod endless;
 mod failure;
 mod figures;
 mod origin;
+mod timings;
 
 pub use failure::{Failure, Refused, Unrealizable};
 pub use figures::Figures;
 pub use origin::{alphabet, provenance};
+pub use timings::{Size, Stage, Timings};
 
 use crate::controller::tables::Tables;
 use crate::controller::{Controller, EndlessSuperStep, Level, merge, minimize, minimize_assuming, number};
@@ -22,7 +24,6 @@ use crate::quality;
 use crate::syntax::Loaded;
 use crate::verify::{batches, verify};
 use std::rc::Rc;
-use std::time::{Duration, Instant};
 
 /// Nodes of a product have `u32` ids.
 const MOST_NODES: usize = u32::MAX as usize - 1;
@@ -44,20 +45,6 @@ impl Default for Options {
     }
 }
 
-/// Time spent in the stages so far, in order.
-#[derive(Clone, Debug, Default)]
-pub struct Timings(pub Vec<(&'static str, Duration)>);
-
-impl Timings {
-    /// Runs one stage.
-    pub fn stage<T>(&mut self, name: &'static str, run: impl FnOnce() -> T) -> T {
-        let start = Instant::now();
-        let result = run();
-        self.0.push((name, start.elapsed()));
-        result
-    }
-}
-
 /// An explored and solved specification.
 #[derive(Debug)]
 pub struct Solved<'s> {
@@ -76,6 +63,7 @@ impl Solved<'_> {
             return Ok(known.clone());
         }
         let found = timings.stage("extract", || winning_strategy(&self.explored.game, &self.solution))?;
+        timings.size(Size::of_strategy(&found));
         Ok(self.strategy.insert(Rc::new(found)).clone())
     }
 }
@@ -156,7 +144,9 @@ pub fn play_and_solve<'s>(
 ) -> Result<Solved<'s>, Failure> {
     let explored = timings.stage("explore", || explore(spec, options.semantics, &options.limits));
     let explored = explored?;
+    timings.size(Size::of_game(&explored));
     let solution = timings.stage("solve", || solve(&explored.game));
+    timings.size(Size::of_nodes(solution.winning_states()));
     Ok(Solved { explored, solution, strategy: None })
 }
 
@@ -177,12 +167,15 @@ pub fn synthesize(
     let raw = timings.stage("super steps", || merged(explored, &strategy));
     let raw =
         raw.map_err(|endless| Failure::Wrong(vec![endless::diagnostic(explored, &strategy, endless)]))?;
+    timings.size(Size::of_controller(&raw));
     let mut controller = timings.stage("minimise", || minimize(&raw, options.level));
+    timings.size(Size::of_controller(&controller));
     if options.level == Level::Assume {
         let refused = timings.stage("batches", || {
             batches::refused(&mut explored.playout, &controller, most_batches(options))
         })?;
         controller = timings.stage("minimise", || minimize_assuming(&controller, &refused));
+        timings.size(Size::of_controller(&controller));
     }
     let controller = timings.stage("number", || number(controller));
     // The limit on states was kept by exploration. The product has a node of its own for each way into a super step.
@@ -193,6 +186,7 @@ pub fn synthesize(
         timings.stage("verify unminimised", || verify(&raw))?;
     }
     let product_nodes = timings.stage("verify", || verify(&controller))?;
+    timings.size(Size::of_nodes(product_nodes));
     if options.level == Level::Assume {
         let agree = || batches::agree(&mut explored.playout, &raw, &controller, most_batches(options));
         timings.stage("verify batches", agree)?;

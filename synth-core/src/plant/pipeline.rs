@@ -10,7 +10,7 @@ use super::{
 use crate::controller::{Controller, Level, minimize, number};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::explore::Limits;
-use crate::pipeline::{Failure, Refused, Timings};
+use crate::pipeline::{Failure, Refused, Size, Timings};
 use crate::syntax::Span;
 
 /// A plant with the program that controls it.
@@ -30,7 +30,9 @@ pub struct Supervised {
 /// There is none, or a limit was reached.
 pub fn feedback(plant: &Plant, limits: &Limits, timings: &mut Timings) -> Result<ClosedLoop, Failure> {
     let synthesis = synthesis(plant, limits, timings)?;
-    Ok(timings.stage("close", || synthesis.closed_loop(limits)))
+    let closed = timings.stage("close", || synthesis.closed_loop(limits));
+    timings.size(Size::of_closed_loop(&closed));
+    Ok(closed)
 }
 
 /// The same with all that was found on the way.

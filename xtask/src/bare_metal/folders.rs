@@ -65,6 +65,16 @@ impl Folders {
         self.repository.join("docs")
     }
 
+    /// What `cargo xtask performance` measures.
+    pub(crate) fn performance(&self) -> PathBuf {
+        self.home.with_file_name("performance")
+    }
+
+    /// Release builds of this workspace.
+    pub(crate) fn release(&self) -> PathBuf {
+        self.home.with_file_name("release")
+    }
+
     /// Cargo's target folder of the programs.
     pub(crate) fn build(&self) -> PathBuf {
         self.home.join("build")

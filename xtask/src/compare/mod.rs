@@ -8,7 +8,6 @@ mod line;
 pub(crate) mod machines;
 mod measure;
 mod page;
-mod plot;
 mod run;
 mod subject;
 mod verdict;

@@ -2,10 +2,10 @@
 
 use super::figures::{Figures, Outcome, Report};
 use super::machines;
-use super::plot::{Series, plot};
-use super::verdict::{grouped, verdict};
+use super::verdict::verdict;
 use crate::bare_metal::folders::Folders;
 use crate::failure::{At, Failure, Result};
+use crate::plot::{Series, grouped, plot};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;

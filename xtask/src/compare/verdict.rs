@@ -2,6 +2,7 @@
 
 use super::figures::{Figures, Outcome, Report};
 use super::machines::Machine;
+use crate::plot::grouped;
 use std::fmt::Write as _;
 
 /// The size from which on machines of this project are meant to be better.
@@ -144,23 +145,10 @@ fn and(words: &[String]) -> String {
     }
 }
 
-/// `12,345`.
-pub(super) fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::figures::tests::report;
-    use super::{grouped, verdict};
+    use super::verdict;
 
     #[track_caller]
     fn check(lines: &str, words: &str) {
@@ -201,10 +189,5 @@ mod tests {
         let lines = "5000 comb flash 3 ram 4 min 8 mean 20 max 40 compile 10\n\
                      5000 match flash 4 ram 2 min 8 mean 20 max 50 compile 199\n";
         assert!(verdict(&report(lines)).ends_with("`comb` 19 times: `comb` misses the aim of 20 times.\n"));
-    }
-
-    #[test]
-    fn thousands_are_grouped() {
-        assert_eq!([0, 999, 1_000, 1_234_567].map(grouped), ["0", "999", "1,000", "1,234,567"]);
     }
 }

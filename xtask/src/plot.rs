@@ -1,6 +1,5 @@
 //! A plot with logarithmic axes, as SVG: lines with their names at the right end, legible on light and dark ground.
 
-use super::verdict::grouped;
 use std::fmt::Write as _;
 
 const WIDTH: f64 = 720.0;
@@ -11,18 +10,20 @@ const TOP: f64 = 44.0;
 const BOTTOM: f64 = 350.0;
 /// Between two names.
 const LINE: f64 = 15.0;
+/// Across a name.
+const NAME: f64 = 90.0;
 
-/// Values of one machine.
-pub(super) struct Series {
-    pub(super) name: &'static str,
+/// Values of one line.
+pub(crate) struct Series {
+    pub(crate) name: &'static str,
     /// It is drawn thicker.
-    pub(super) own: bool,
+    pub(crate) own: bool,
     /// Ascending, all above 0.
-    pub(super) points: Vec<(u64, u64)>,
+    pub(crate) points: Vec<(u64, u64)>,
 }
 
 /// A whole file.
-pub(super) fn plot(title: &str, x: &str, y: &str, series: &[Series]) -> String {
+pub(crate) fn plot(title: &str, x: &str, y: &str, series: &[Series]) -> String {
     let points = || series.iter().flat_map(|series| &series.points);
     let across = Axis::over(points().map(|point| point.0), LEFT, RIGHT);
     let up = Axis::over(points().map(|point| point.1), BOTTOM, TOP);
@@ -84,6 +85,19 @@ pub(super) fn plot(title: &str, x: &str, y: &str, series: &[Series]) -> String {
     svg
 }
 
+/// `12,345`.
+pub(crate) fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
 /// Colours that tell seven lines apart, on both grounds.
 const STYLE: &str = "<style>
 .ink{fill:#24292f}.grid{stroke:#d0d7de;fill:none}.line{fill:none;stroke-width:1.5}.own{stroke-width:3}.lead{fill:none;stroke-width:.7;stroke-dasharray:2 2}
@@ -140,14 +154,15 @@ impl Axis {
     }
 }
 
-/// Heights of names beside the ends of lines, none over another of a line that ends as far right.
+/// Heights of names beside the ends of lines, none over another of a line that ends about as far right.
 fn heights(ends: &[(f64, f64)]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..ends.len()).collect();
-    order.sort_by(|&a, &b| ends[a].0.total_cmp(&ends[b].0).then(ends[a].1.total_cmp(&ends[b].1)));
+    order.sort_by(|&a, &b| ends[a].0.total_cmp(&ends[b].0));
     let mut heights: Vec<f64> = ends.iter().map(|end| end.1).collect();
-    for group in order.chunk_by(|&a, &b| ends[a].0 == ends[b].0) {
-        for pair in group.windows(2) {
-            heights[pair[1]] = heights[pair[1]].max(heights[pair[0]] + LINE);
+    for group in order.chunk_by_mut(|&a, &b| ends[b].0 - ends[a].0 < NAME) {
+        group.sort_by(|&a, &b| ends[a].1.total_cmp(&ends[b].1));
+        for place in 1..group.len() {
+            heights[group[place]] = heights[group[place]].max(heights[group[place - 1]] + LINE);
         }
         // What has been pushed out below goes up again.
         let mut below = BOTTOM + LINE;
@@ -161,7 +176,7 @@ fn heights(ends: &[(f64, f64)]) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Axis, BOTTOM, LINE, Series, heights, plot};
+    use super::{Axis, BOTTOM, LINE, Series, grouped, heights, plot};
 
     #[test]
     fn powers_of_ten_are_evenly_apart() {
@@ -178,7 +193,8 @@ mod tests {
         assert_eq!(at(&[100.0, 200.0]), [100.0, 200.0]);
         assert_eq!(at(&[100.0, 101.0, 100.5]), [100.0, 100.0 + 2.0 * LINE, 100.0 + LINE]);
         assert_eq!(at(&[BOTTOM, BOTTOM]), [BOTTOM - LINE, BOTTOM]);
-        assert_eq!(heights(&[(7.0, 100.0), (8.0, 101.0)]), [100.0, 101.0]);
+        assert_eq!(heights(&[(7.0, 100.0), (107.0, 101.0)]), [100.0, 101.0]);
+        assert_eq!(heights(&[(9.0, 100.0), (7.0, 101.0)]), [100.0, 100.0 + LINE]);
     }
 
     #[test]
@@ -192,5 +208,10 @@ mod tests {
         assert_eq!(svg.matches(">comb</text>").count(), 1);
         assert_eq!(svg.matches("class=\"line own c0\"").count(), 1);
         assert!(svg.starts_with("<svg ") && svg.ends_with("</svg>\n"));
+    }
+
+    #[test]
+    fn thousands_are_grouped() {
+        assert_eq!([0, 999, 1_000, 1_234_567].map(grouped), ["0", "999", "1,000", "1,234,567"]);
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-const TWO_PRESSES: &str = include_str!("../specs/line_2/spec.sml");
+const TWO_PRESSES: &str = include_str!("../../specs/line_2/spec.sml");
 
 /// The specification of two presses with other objects. Its state space grows by a factor of about 14 with each press.
 ///
@@ -10,11 +10,11 @@ const TWO_PRESSES: &str = include_str!("../specs/line_2/spec.sml");
 ///
 /// If the specification of two presses has no objects and effects any more.
 #[must_use]
-pub fn line(presses: usize) -> String {
+pub fn line(presses: u32) -> String {
     let find = |text: &str| TWO_PRESSES.find(text).expect("the specification of two presses has it");
     let (first, behind) = (find("  object feedBelt"), find("  effects {"));
     let mut text = TWO_PRESSES[..first].to_owned();
-    let place = |i: usize| match i {
+    let place = |i: u32| match i {
         0 => "feedBelt".to_owned(),
         i if i > presses => "depositBelt".to_owned(),
         i => format!("press{i}"),

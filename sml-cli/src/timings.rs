@@ -1,0 +1,81 @@
+//! What `--timings` prints: a row for each stage, or the same as JSON.
+
+use crate::options::Format;
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+use std::time::Duration;
+use synth_core::diagnostic::counted;
+use synth_core::pipeline::{Size, Stage, Timings};
+
+/// Most bytes that this process has held so far, as Linux tells it.
+pub(crate) fn peak() -> Option<u64> {
+    let text = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let kibibytes: u64 = line.trim().strip_suffix(" kB")?.parse().ok()?;
+    Some(kibibytes * 1024)
+}
+
+/// What is printed.
+pub(crate) fn shown(timings: &Timings, format: Format) -> String {
+    match format {
+        Format::Text => text(timings),
+        Format::Json => as_json(timings).to_string(),
+    }
+}
+
+fn milliseconds(time: Duration) -> f64 {
+    time.as_secs_f64() * 1e3
+}
+
+/// Bytes each.
+fn each(bytes: usize, count: usize) -> f64 {
+    bytes as f64 / count.max(1) as f64
+}
+
+fn text(timings: &Timings) -> String {
+    let mut text = format!(
+        "{:<19} {:>12} {:>12} {:>12} {:>14} {:>10}\n",
+        "stage", "ms", "states", "transitions", "bytes", "peak MiB"
+    );
+    for Stage { name, time, size, peak } in timings.stages() {
+        let or_blank = |number: usize| if number == 0 { String::new() } else { number.to_string() };
+        let Size { states, edges, of_states, of_edges } = size.unwrap_or_default();
+        let peak = peak.map(|bytes| format!("{:.1}", bytes as f64 / f64::from(1 << 20))).unwrap_or_default();
+        let row = format!(
+            "{name:<19} {:>12.3} {:>12} {:>12} {:>14} {peak:>10}",
+            milliseconds(*time),
+            or_blank(states),
+            or_blank(edges),
+            or_blank(of_states + of_edges),
+        );
+        let _ = writeln!(text, "{}", row.trim_end());
+    }
+    let _ = writeln!(text, "{:<19} {:>12.3}", "total", milliseconds(timings.total()));
+    let game = timings.stages().iter().find(|stage| stage.name == "explore").and_then(|stage| stage.size);
+    if let Some(Size { states, edges, of_states, of_edges }) = game {
+        let _ = writeln!(
+            text,
+            "{}, {}: {:.1} bytes for a state, {:.1} for a transition",
+            counted(states, "state"),
+            counted(edges, "transition"),
+            each(of_states, states),
+            each(of_edges, edges)
+        );
+    }
+    text
+}
+
+fn as_json(timings: &Timings) -> Value {
+    let stage = |Stage { name, time, size, peak }: &Stage| {
+        let mut stage = json!({ "stage": name, "milliseconds": milliseconds(*time), "peak_bytes": peak });
+        if let Some(Size { states, edges, of_states, of_edges }) = *size {
+            stage["states"] = states.into();
+            stage["transitions"] = edges.into();
+            stage["bytes_of_states"] = of_states.into();
+            stage["bytes_of_transitions"] = of_edges.into();
+        }
+        stage
+    };
+    let stages: Vec<Value> = timings.stages().iter().map(stage).collect();
+    json!({ "version": 1, "milliseconds": milliseconds(timings.total()), "timings": stages })
+}

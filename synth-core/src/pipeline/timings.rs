@@ -1,0 +1,156 @@
+//! What each stage took, and how large it left things.
+
+use crate::controller::Controller;
+use crate::explore::Explored;
+use crate::game::Strategy;
+use crate::plant::{ClosedLoop, EventId};
+use std::time::{Duration, Instant};
+
+/// Stages so far, in order.
+#[derive(Clone, Debug, Default)]
+pub struct Timings {
+    stages: Vec<Stage>,
+    /// Most bytes that the process has held so far; none if nobody can say.
+    peak: Option<fn() -> Option<u64>>,
+}
+
+/// A stage that ended.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Stage {
+    /// Its name; a stage can run twice.
+    pub name: &'static str,
+    /// How long it ran.
+    pub time: Duration,
+    /// How large its product is, if that is a graph.
+    pub size: Option<Size>,
+    /// Most bytes that the process had held when it ended.
+    pub peak: Option<u64>,
+}
+
+/// The size of a graph: of a game, a strategy, a controller, or a product with it.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Size {
+    /// States or nodes.
+    pub states: usize,
+    /// Transitions; of a controller its rows and super steps; 0 where they are not kept.
+    pub edges: usize,
+    /// Bytes held for the states, with their index and with what is remembered of steps; 0 where they are not counted.
+    pub of_states: usize,
+    /// Bytes held for the edges.
+    pub of_edges: usize,
+}
+
+impl Timings {
+    /// Stages are to be asked after how many bytes the process has held at most.
+    #[must_use]
+    pub fn with_peak(peak: fn() -> Option<u64>) -> Self {
+        Timings { stages: Vec::new(), peak: Some(peak) }
+    }
+
+    /// Runs one stage.
+    // One function for each stage: profilers can tell stages apart by it.
+    #[inline(never)]
+    pub fn stage<T>(&mut self, name: &'static str, run: impl FnOnce() -> T) -> T {
+        let start = Instant::now();
+        let result = run();
+        let (time, peak) = (start.elapsed(), self.peak.and_then(|peak| peak()));
+        self.stages.push(Stage { name, time, size: None, peak });
+        result
+    }
+
+    /// How large the product of the last stage is.
+    pub fn size(&mut self, size: Size) {
+        if let Some(last) = self.stages.last_mut() {
+            last.size = Some(size);
+        }
+    }
+
+    /// Stages so far, in order.
+    #[must_use]
+    pub fn stages(&self) -> &[Stage] {
+        &self.stages
+    }
+
+    /// Time of all stages.
+    #[must_use]
+    pub fn total(&self) -> Duration {
+        self.stages.iter().map(|stage| stage.time).sum()
+    }
+}
+
+impl Size {
+    /// Without edges and without bytes.
+    #[must_use]
+    pub fn of_nodes(states: usize) -> Size {
+        Size { states, ..Size::default() }
+    }
+
+    /// Of the explored game.
+    #[must_use]
+    pub fn of_game(explored: &Explored<'_>) -> Size {
+        Size {
+            states: explored.game.states(),
+            edges: explored.game.edges(),
+            of_states: explored.memory_of_states(),
+            of_edges: explored.memory_of_edges(),
+        }
+    }
+
+    /// Of a strategy.
+    #[must_use]
+    pub fn of_strategy(strategy: &Strategy) -> Size {
+        let Strategy { state, first, edge, target } = strategy;
+        Size {
+            states: strategy.nodes(),
+            edges: edge.len(),
+            of_states: (state.capacity() + first.capacity()) * size_of::<u32>(),
+            of_edges: (edge.capacity() + target.capacity()) * size_of::<u32>(),
+        }
+    }
+
+    /// Of a plant under its feedback.
+    #[must_use]
+    pub fn of_closed_loop(closed: &ClosedLoop) -> Size {
+        let ClosedLoop { states, first, edges, first_inhibited, inhibited, .. } = closed;
+        let numbers = first.capacity() + first_inhibited.capacity() + inhibited.capacity();
+        Size {
+            states: closed.len(),
+            edges: edges.len(),
+            of_states: states.capacity() * size_of::<u16>() + numbers * size_of::<u32>(),
+            of_edges: edges.capacity() * size_of::<(EventId, u32)>(),
+        }
+    }
+
+    /// Of a controller.
+    #[must_use]
+    pub fn of_controller(controller: &Controller) -> Size {
+        let Controller { states, environment, super_steps, owed, .. } = controller;
+        let numbers = |lists: &mut dyn Iterator<Item = usize>| lists.sum::<usize>() * size_of::<u32>();
+        Size {
+            states: *states as usize,
+            edges: environment.iter().map(Vec::len).sum::<usize>() + super_steps.len(),
+            of_states: size_of_val(owed.as_slice()) + numbers(&mut owed.iter().map(Vec::capacity)),
+            of_edges: 2 * numbers(&mut environment.iter().map(Vec::capacity))
+                + size_of_val(super_steps.as_slice())
+                + numbers(&mut super_steps.iter().map(|step| step.events.capacity())),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Size, Timings};
+
+    #[test]
+    fn a_size_belongs_to_the_stage_before_it() {
+        let mut timings = Timings::with_peak(|| Some(7));
+        timings.size(Size::of_nodes(1));
+        assert_eq!(timings.stage("explore", || 5), 5);
+        timings.size(Size::of_nodes(2));
+        timings.stage("solve", || ());
+        let found: Vec<_> =
+            timings.stages().iter().map(|stage| (stage.name, stage.size, stage.peak)).collect();
+        assert_eq!(found, [("explore", Some(Size::of_nodes(2)), Some(7)), ("solve", None, Some(7))]);
+        assert_eq!(timings.total(), timings.stages()[0].time + timings.stages()[1].time);
+    }
+}
