@@ -87,9 +87,8 @@ impl Bench {
     fn once(&self, sml: &Path, member: Member, text: &Path, options: &[&str]) -> Result<Outcome> {
         let mut command = Command::new(sml);
         command.args(self.arguments(member, text)).args(options);
-        let (status, said) = match self.bounded(&mut command)? {
-            Some(ended) => ended,
-            None => return Ok(Outcome::Stopped(self.seconds)),
+        let Some((status, said)) = self.bounded(&mut command)? else {
+            return Ok(Outcome::Stopped(self.seconds));
         };
         match status.code() {
             Some(0) => Ok(Outcome::Measured(stages(&said)?)),
