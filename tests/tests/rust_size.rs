@@ -2,7 +2,7 @@
 //!
 //! `cargo test -p sml-tests --test rust_size -- --nocapture` prints them.
 
-use sml_tests::line::line;
+use sml_tests::families::line;
 use sml_tests::{corpus, fast, published};
 use synth_core::controller::tables::{Provenance, Tables};
 use synth_core::controller::{Level, number};
