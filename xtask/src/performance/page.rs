@@ -3,7 +3,7 @@
 use super::controllers::{LEVELS, SUBJECTS, shown};
 use super::growth::{MOST, Point, per_doubling};
 use super::members::{self, FAMILIES, Member};
-use super::report::{Outcome, Report, Stage, Version};
+use super::report::{EXPLORING, Outcome, Report, Stage, Version};
 use crate::bare_metal::folders::Folders;
 use crate::failure::{At, Failure, Result};
 use crate::plot::{Series, grouped, plot};
@@ -159,7 +159,7 @@ fn totals(text: &mut String, report: &Report) {
             let _ = writeln!(text, "{} | {} | | | | | | | |", grouped(member.states()), unmeasured(outcome));
             continue;
         };
-        let Stage { micros, states, transitions, of_states, of_transitions, .. } = *found;
+        let Stage { micros, states, transitions, of_states, of_transitions, .. } = found;
         let controller = outcome.stage("minimise").map_or("–".to_owned(), |stage| grouped(stage.states));
         let _ = writeln!(
             text,
@@ -184,7 +184,7 @@ fn threads(text: &mut String, report: &Report) {
     text.push_str("| member | states | states a second, one thread | all threads |\n|---|--:|--:|--:|\n");
     for (member, one) in of_version(report, Version::OneThread) {
         let speed = |outcome: Option<&Outcome>| match outcome.map(|outcome| (outcome, outcome.explored())) {
-            Some((_, Some(stage))) => per_second(stage),
+            Some((_, Some(stage))) => per_second(&stage),
             Some((outcome, None)) => unmeasured(outcome),
             None => "not measured".to_owned(),
         };
@@ -250,7 +250,7 @@ fn growth(text: &mut String, report: &Report) {
     let mut before: Option<(Member, Point)> = None;
     for (&member, counts) in &report.instructions {
         let point = Point::of(member.states(), counts);
-        let found = counts.iter().filter(|(name, _)| matches!(name.as_str(), "explore" | "supervise"));
+        let found = counts.iter().filter(|(name, _)| EXPLORING.contains(&name.as_str()));
         let found: u64 = found.map(|(_, count)| count).sum();
         let growth = before.filter(|(before, _)| before.family == member.family);
         let growth =

@@ -80,11 +80,18 @@ impl Outcome {
         self.stages()?.last().map(|stage| stage.peak)
     }
 
-    /// The stage that finds the states: that of the game, or of the plant under its feedback.
-    pub(super) fn explored(&self) -> Option<&Stage> {
-        self.stage("explore").or_else(|| self.stage("supervise"))
+    /// What finds the states: exploration of the game, or synthesis of a feedback and what follows its plays.
+    pub(super) fn explored(&self) -> Option<Stage> {
+        if let Some(explored) = self.stage("explore") {
+            return Some(explored.clone());
+        }
+        let (supervised, closed) = (self.stage("supervise")?, self.stage("close")?);
+        Some(Stage { micros: supervised.micros + closed.micros, ..closed.clone() })
     }
 }
+
+/// Stages of [`Outcome::explored`].
+pub(super) const EXPLORING: [&str; 3] = ["explore", "supervise", "close"];
 
 /// Instructions of each stage, in order; a stage can run twice.
 pub(super) type Instructions = Vec<(String, u64)>;
