@@ -119,6 +119,9 @@ impl Unavoidable {
         let diagnostic = if self.play.is_empty() { diagnostic } else { diagnostic.note(self.steps(plant)) };
         diagnostic.note(self.place(plant, end)).help(match self.reason {
             Reason::Blocked { .. } => "mark more states, or allow more",
+            Reason::Forbidden(_, Source::Automaton(_)) => {
+                "add an edge for the event, to the same state if it changes nothing there; or weaken the constraint otherwise"
+            }
             _ => "weaken the constraint, or make an event of the play controllable",
         })
     }
