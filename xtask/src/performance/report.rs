@@ -85,8 +85,11 @@ impl Outcome {
         if let Some(explored) = self.stage("explore") {
             return Some(explored.clone());
         }
-        let (supervised, closed) = (self.stage("supervise")?, self.stage("close")?);
-        Some(Stage { micros: supervised.micros + closed.micros, ..closed.clone() })
+        let supervised = self.stage("supervise")?;
+        Some(match self.stage("close") {
+            Some(closed) => Stage { micros: supervised.micros + closed.micros, ..closed.clone() },
+            None => supervised.clone(),
+        })
     }
 }
 
