@@ -27,7 +27,6 @@ use crate::emit::rust::{self, Engine};
 use crate::emit::scan::Source;
 use crate::explore::Limits;
 use crate::pipeline::{Failure, Options, Timings, compile_with_warnings as run};
-use crate::plant::pipeline::Followed;
 use crate::plant::{self, Plant, event_based};
 use crate::quality::{Policy, Warning};
 use crate::syntax::{Loaded, Sources, load, read_bounded};
@@ -239,14 +238,12 @@ impl Build {
 
     fn of_events(&self, plant: &Plant, provenance: Provenance) -> Result<(String, Vec<Diagnostic>), Failure> {
         let Options { limits, level, .. } = &self.options;
-        let Followed { closed, controller, races } =
-            plant::pipeline::follow(plant, limits, *level, &mut Timings::default())?;
+        let followed = plant::pipeline::follow(plant, limits, *level, &mut Timings::default())?;
         let options = " --follow events".to_owned();
         let provenance = event_based::provenance(plant, Provenance { options, ..provenance });
-        let tables = Tables::new(&plant.name, &controller, provenance);
+        let tables = Tables::new(&plant.name, &followed.controller, provenance);
         let options = rust::Options { engine: self.engine, ..rust::Options::default() };
-        let warnings = [plant::never_enabled(plant, &closed), races.diagnostics(plant, &closed)].concat();
-        Ok((rust::text(&tables, &options), warnings))
+        Ok((rust::text(&tables, &options), followed.warnings(plant)))
     }
 
     /// Warnings as Cargo shows them; or those that are denied, and the others are shown at once.

@@ -15,7 +15,7 @@ use synth_core::controller::{Level, minimize, number};
 use synth_core::emit::rust;
 use synth_core::emit::st::{self, Target};
 use synth_core::explore::Limits;
-use synth_core::plant::event_based::{choose, controller, races, tables};
+use synth_core::plant::event_based::{choose, controller, never_given, races, tables};
 use synth_core::plant::{ClosedLoop, EventId, Plant, read, supervise};
 use synth_core::syntax::FileId;
 
@@ -166,6 +166,18 @@ impl Controlled {
         }
     }
 
+    /// What is said to be never given is just what no scan gives of what is enabled somewhere; returns how many there are.
+    fn check_never_given(&self, scans: &BTreeMap<Node, Vec<Scan>>) -> usize {
+        let given: BTreeSet<EventId> = scans.values().flatten().filter_map(|scan| scan.command).collect();
+        let enabled: BTreeSet<EventId> = self.closed.edges.iter().map(|edge| edge.0).collect();
+        let never = enabled.difference(&given).filter(|&&id| self.plant.events[id as usize].controllable);
+        let expected: Vec<String> =
+            never.map(|&id| format!("`{}` is never given", self.plant.events[id as usize].name)).collect();
+        let told = never_given(&self.plant, &self.closed);
+        assert_eq!(told.into_iter().map(|one| one.message).collect::<Vec<_>>(), expected);
+        expected.len()
+    }
+
     /// Chains of commands end.
     fn check_chains(&self) {
         let chosen = choose(&self.plant, &self.closed);
@@ -309,6 +321,47 @@ fn chains_of_commands_are_cut_where_the_plant_has_the_turn() {
     check(lamp, ": light \n : \n :");
 }
 
+/// What is never given, with the reason.
+#[track_caller]
+fn check_never_given(plant: PlantBuilder, expected: &[(&str, &str)]) {
+    let controlled = controlled(plant.build());
+    controlled.check_never_given(&controlled.explore().expect("nothing is lost"));
+    let found = never_given(&controlled.plant, &controlled.closed);
+    let found: Vec<_> = found.iter().map(|one| (&*one.message, &*one.notes[0])).collect();
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn commands_that_are_never_given() {
+    check_never_given(two_machines(), &[]);
+    let first = PlantBuilder::new()
+        .controllable("go walk")
+        .uncontrollable("back")
+        .component("A", "Home go Away, Home walk Away, Away back Home");
+    let reason = "where it is possible, `go` is given instead: for example in A.Home";
+    check_never_given(first, &[("`walk` is never given", reason)]);
+    let wait = PlantBuilder::new()
+        .controllable("open close")
+        .uncontrollable("full")
+        .component("Valve", "Shut open Open, Open close Shut, Open full Open");
+    let reason = "where it is possible, the controller waits for the plant: for example in Valve.Open";
+    check_never_given(wait, &[("`close` is never given", reason)]);
+    let behind = PlantBuilder::new()
+        .controllable("go walk rest")
+        .uncontrollable("back")
+        .component("A", "Home go Away, Home walk Lost, Lost rest Home, Away back Home");
+    check_never_given(
+        behind,
+        &[
+            ("`walk` is never given", "where it is possible, `go` is given instead: for example in A.Home"),
+            (
+                "`rest` is never given",
+                "the controller never comes to where it is possible: for example in A.Lost",
+            ),
+        ],
+    );
+}
+
 /// `first` stands in front of `second` in the file, but leads round and round.
 #[test]
 fn commands_lead_to_marked_states() {
@@ -349,7 +402,7 @@ fn what_a_scan_cannot_tell_is_found() {
 /// A race that is told happens: the controller loses an event or believes in another entry.
 #[test]
 fn races_are_none_for_nothing() {
-    let (mut with, mut without) = (0, 0);
+    let (mut with, mut without, mut never) = (0, 0, 0);
     for seed in 0..3000 {
         let Some(controlled) = Controlled::new(random_plant::plant(seed)) else { continue };
         let chosen = choose(&controlled.plant, &controlled.closed);
@@ -376,11 +429,13 @@ fn races_are_none_for_nothing() {
             without += 1;
             let scans = controlled.explore().unwrap_or_else(|error| panic!("seed {seed}: {error}"));
             controlled.check_progress(&scans);
+            never += controlled.check_never_given(&scans);
         } else {
             with += 1;
         }
     }
     assert!(with > 20 && without > 500, "{with} with races, {without} without");
+    assert!(never > 100, "{never} commands that are never given");
 }
 
 /// Where the closed loop comes to with pending events, round by round in table order, if it takes them all.

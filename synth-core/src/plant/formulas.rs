@@ -116,11 +116,7 @@ impl FormulaError {
 
 /// The states of an entry by name.
 fn states(plant: &Plant, closed: &ClosedLoop, entry: usize) -> impl fmt::Display {
-    let names = plant.automata.iter().zip(closed.entry(entry));
-    names
-        .map(|(automaton, &state)| format!("{}.{}", automaton.name, automaton.states[state as usize].name))
-        .collect::<Vec<_>>()
-        .join(", ")
+    plant.state_names(closed.entry(entry)).join(", ")
 }
 
 /// The number of a bit of memory among the variables of formulas.

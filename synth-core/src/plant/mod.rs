@@ -16,6 +16,7 @@
 //! ```
 
 pub mod ast;
+mod circles;
 mod closed_loop;
 mod condition;
 mod effects;

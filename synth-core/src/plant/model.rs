@@ -31,6 +31,18 @@ pub struct Plant {
     pub constraints: Vec<Constraint>,
 }
 
+impl Plant {
+    /// What the states of all automata are called, `Door.Shut` and so on.
+    #[must_use]
+    pub fn state_names(&self, states: &[u16]) -> Vec<String> {
+        let each = self.automata.iter().zip(states);
+        each.map(|(automaton, &state)| {
+            format!("{}.{}", automaton.name, automaton.states[state as usize].name)
+        })
+        .collect()
+    }
+}
+
 /// A Boolean that the controller reads, and perhaps writes.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Signal {

@@ -5,7 +5,7 @@ use super::modular::{self, modular};
 use super::remember::{Remembered, remember};
 use super::{
     ClosedLoop, FormulaError, Modular, ModularError, Module, Options, Plant, StateFeedback, SuperviseError,
-    Synthesis, state_feedback, unreadable,
+    Synthesis, never_enabled, state_feedback, unreadable,
 };
 use crate::controller::{Controller, Level, minimize, number};
 use crate::diagnostic::{Code, Diagnostic};
@@ -143,6 +143,15 @@ pub struct Followed {
     pub controller: Controller,
     /// Events of one scan that the controller cannot follow.
     pub races: Races,
+}
+
+impl Followed {
+    /// What is worth a look: commands that are never enabled or never given, and races.
+    #[must_use]
+    pub fn warnings(&self, plant: &Plant) -> Vec<Diagnostic> {
+        let commands = [never_enabled(plant, &self.closed), event_based::never_given(plant, &self.closed)];
+        [commands.concat(), self.races.diagnostics(plant, &self.closed)].concat()
+    }
 }
 
 /// The whole way from a plant to a controller that follows its events; states need not be readable. Levels that use don't-cares

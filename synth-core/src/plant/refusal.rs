@@ -143,11 +143,7 @@ impl Unavoidable {
 
     /// Where the automata are.
     fn place(&self, plant: &Plant, end: &str) -> String {
-        let each = plant.automata.iter().zip(&self.states);
-        let each = each.map(|(automaton, &state)| {
-            format!("{}.{}", automaton.name, automaton.states[state as usize].name)
-        });
-        format!("the automata {end}: {}", each.collect::<Vec<_>>().join(", "))
+        format!("the automata {end}: {}", plant.state_names(&self.states).join(", "))
     }
 
     /// As a reason not to go there, in a few words.

@@ -74,6 +74,8 @@ impl Warning {
             Code::NeverEnabled,
             Code::Race,
             Code::ConflictUnknown,
+            Code::Circle,
+            Code::NeverGiven,
         ];
         let is_warning =
             move |code: Code| matches!(code as u16, 90..=99 | 130..=132) || of_plants.contains(&code);

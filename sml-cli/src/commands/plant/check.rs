@@ -13,8 +13,7 @@ use serde_json::Value as Json;
 use synth_core::controller::Level;
 use synth_core::diagnostic::{Diagnostic, render, to_json};
 use synth_core::pipeline::{self, Refused};
-use synth_core::plant::pipeline::Followed;
-use synth_core::plant::{ClosedLoop, Options, never_enabled};
+use synth_core::plant::{ClosedLoop, Options};
 use synth_core::quality::Policy;
 
 /// Figures are null if there is no feedback; those of the plant also if its states are too many to be counted.
@@ -40,9 +39,9 @@ pub(in crate::commands) fn run(
 ) -> Result<Exit, Failure> {
     let ReadPlant { sources, plant, warnings, .. } = session.plant(given)?;
     let found = if Follow::events(follow) {
-        session.follow(&plant, Level::default()).map(|Followed { closed, races, .. }| {
-            let found = [never_enabled(&plant, &closed), races.diagnostics(&plant, &closed)].concat();
-            (closed, found)
+        session.follow(&plant, Level::default()).map(|followed| {
+            let found = followed.warnings(&plant);
+            (followed.closed, found)
         })
     } else {
         control(&plant, Options::default(), session).map(|Controlled { closed, .. }| {

@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use synth_core::controller::tables::{Provenance, Tables};
 use synth_core::controller::{Controller, Level};
 use synth_core::diagnostic::Diagnostic;
-use synth_core::plant::{event_based, never_enabled};
+use synth_core::plant::event_based;
 
 /// What a controller goes by.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
@@ -33,7 +33,7 @@ pub(in crate::commands) fn refuse(given: Option<Follow>) -> Result<(), Failure> 
 pub(in crate::commands) struct Followed {
     pub(in crate::commands) controller: Controller,
     pub(in crate::commands) tables: Tables,
-    /// Of the text, then races.
+    /// Of the text, then of the controller.
     pub(in crate::commands) warnings: Vec<Diagnostic>,
 }
 
@@ -53,8 +53,7 @@ pub(in crate::commands) fn follow(
     let ReadPlant { sources, plant, warnings, provenance } = read;
     let followed = session.follow(plant, level).map_err(|failure| Failure::of(&failure, sources))?;
     let mut warnings = std::mem::take(warnings);
-    warnings.extend(never_enabled(plant, &followed.closed));
-    warnings.extend(followed.races.diagnostics(plant, &followed.closed));
+    warnings.extend(followed.warnings(plant));
     let options = format!(" --follow events{options}");
     let provenance = event_based::provenance(plant, Provenance { options, ..provenance.clone() });
     let tables = Tables::new(&plant.name, &followed.controller, provenance);

@@ -9,9 +9,11 @@
 //! happened are found by [`races`].
 
 mod choice;
+mod never_given;
 mod races;
 
 pub use choice::choose;
+pub use never_given::never_given;
 pub use races::{Race, Races, races};
 
 use super::{ClosedLoop, EventId, Plant};

@@ -47,12 +47,7 @@ impl Race {
     fn diagnostic(&self, plant: &Plant, closed: &ClosedLoop) -> Diagnostic {
         let is_uncontrollable = |id: &&EventId| !plant.events[**id as usize].controllable;
         let span = self.events.iter().rfind(is_uncontrollable).map(|&id| plant.events[id as usize].span);
-        let states = closed.entry(self.entry as usize).iter().zip(&plant.automata);
-        let states: Vec<String> = states
-            .map(|(&state, automaton)| {
-                format!("{}.{}", automaton.name, automaton.states[state as usize].name)
-            })
-            .collect();
+        let states = plant.state_names(closed.entry(self.entry as usize));
         Diagnostic::warning(Code::Race, span.unwrap_or_default(), self.text(plant))
             .note(format!("for example from {}", states.join(", ")))
             .help("see to it that they never come within one scan")

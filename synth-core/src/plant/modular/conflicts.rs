@@ -6,7 +6,7 @@
 use super::super::moves::{Candidates, Moves, marks};
 use super::super::packing::Packing;
 use super::super::product::initial;
-use super::super::{AutomatonId, EventId, Plant};
+use super::super::{EventId, Plant};
 use super::part::Part;
 use super::scope::{Scope, clusters, union};
 use super::{ModularError, Module};
@@ -150,13 +150,4 @@ fn explore(cluster: &mut Cluster<'_>, limits: &Limits) -> Result<Option<Vec<u16>
         packing.unpack(rows.get(state), &mut states);
         states
     }))
-}
-
-/// The names of states, as messages tell them.
-pub(super) fn text(plant: &Plant, states: &[u16]) -> String {
-    let each = (0..plant.automata.len() as AutomatonId).zip(states).map(|(id, &state)| {
-        let automaton = &plant.automata[id as usize];
-        format!("{}.{}", automaton.name, automaton.states[state as usize].name)
-    });
-    each.collect::<Vec<_>>().join(", ")
 }

@@ -134,7 +134,7 @@ pub enum ModularError {
 /// What to tell of modules that conflict, in these states of all automata.
 #[must_use]
 pub(super) fn conflict(plant: &Plant, states: Vec<u16>) -> (Diagnostic, Unavoidable) {
-    let text = conflicts::text(plant, &states);
+    let text = plant.state_names(&states).join(", ");
     let diagnostic = Diagnostic::error(Code::Conflict, Span::default(), "the modules conflict")
         .note(format!(
             "with all of them the automata can come here, from where no marked states can be reached: {text}"

@@ -127,11 +127,7 @@ impl Indistinguishable {
         let enabled = |entry: usize, event: EventId| closed.enabled(plant, entry).any(|other| other == event);
         let event = (0..plant.events.len() as EventId).find(|&event| enabled(a, event) != enabled(b, event));
         let name = event.map_or("", |event| &plant.events[event as usize].name);
-        let states = |entry: usize| {
-            let states = plant.automata.iter().zip(closed.entry(entry));
-            let names = states.map(|(it, &state)| format!("{}.{}", it.name, it.states[state as usize].name));
-            names.collect::<Vec<_>>().join(", ")
-        };
+        let states = |entry: usize| plant.state_names(closed.entry(entry)).join(", ");
         format!("`{name}` is enabled in only one of ({}) and ({})", states(a), states(b))
     }
 }

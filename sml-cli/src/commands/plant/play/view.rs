@@ -45,9 +45,7 @@ pub(super) fn event(position: &Position<'_>, event: EventId, format: Format) -> 
 
 /// The states of all automata: `Injector.I2B Barrel.BE`.
 pub(super) fn states(position: &Position<'_>) -> Vec<String> {
-    let each = position.plant.automata.iter().zip(position.states());
-    each.map(|(automaton, &state)| format!("{}.{}", automaton.name, automaton.states[state as usize].name))
-        .collect()
+    position.plant.state_names(position.states())
 }
 
 /// The state, what can happen, and what is inhibited and why.
