@@ -63,8 +63,9 @@ impl Session {
         self.common.semantics()
     }
 
-    fn options(&self, level: Level) -> Options {
-        Options { semantics: self.semantics(), limits: self.common.limits(), level }
+    /// How a controller is made, and how far.
+    pub(crate) fn options(&self, level: Level) -> Options {
+        Options { semantics: self.semantics(), limits: self.common.limits(), level, monitor: false }
     }
 
     /// A specification, for subcommands that mean nothing to plants.
@@ -180,10 +181,9 @@ impl Session {
         &mut self,
         loaded: &Loaded,
         solved: &mut Solved<'_>,
-        level: Level,
+        options: &Options,
     ) -> Result<Verified, Failure> {
-        let options = self.options(level);
-        let verified = pipeline::synthesize(solved, &options, &mut self.timings);
+        let verified = pipeline::synthesize(solved, options, &mut self.timings);
         verified.map_err(|failure| Failure::of(&failure, &loaded.sources))
     }
 

@@ -11,7 +11,7 @@
 //!
 //! An attribute in front chooses how generated code finds the row of a state: `#![engine = "auto"]` (what is taken without
 //! one), `"search"`, `"runs"` or `"comb"`. Another, `#![minimize = "ordered"]`, how the controller is made smaller: `"none"`, `"exact"` (what
-//! is taken without one), `"assume"` or `"ordered"`.
+//! is taken without one), `"assume"` or `"ordered"`. `#![monitor]` makes the monitor of the controller instead, `pub mod <specification>_monitor`.
 //!
 //! ```text
 //! sml_macros::sml! { #![engine = "runs"] "specs/cell.sml" }

@@ -88,6 +88,14 @@ impl Build {
         self
     }
 
+    /// Makes the [monitor](crate::controller::monitor) of a specification's controller: `NAME_monitor.rs` with a module
+    /// `name_monitor`, which knows which events are expected and gives no commands. [`Build::minimize`] means nothing to it.
+    #[must_use]
+    pub fn monitor(mut self) -> Self {
+        self.options.monitor = true;
+        self
+    }
+
     /// How generated code finds the row of a state.
     #[must_use]
     pub fn engine(mut self, engine: Engine) -> Self {
@@ -166,7 +174,7 @@ impl Build {
         })?;
         show(&warnings);
         let mut name = path.file_stem().unwrap_or(path.as_os_str()).to_owned();
-        name.push(".rs");
+        name.push(if self.options.monitor { "_monitor.rs" } else { ".rs" });
         let target = out.join(name);
         replace(&target, &text).map_err(|why| format!("error: {} cannot be written: {why}", target.display()))
     }
@@ -213,7 +221,7 @@ impl Build {
         let thorough = self.policy.denies_code(Code::NotNeeded);
         let result = run(loaded, &self.options, thorough, &mut Timings::default());
         let (tables, warnings) = result.map_err(|failure| failure.diagnostics())?;
-        let options = rust::Options { engine: self.engine, ordered: self.options.level == Level::Ordered };
+        let options = rust::Options { engine: self.engine, ordered: self.options.is_ordered() };
         Ok((rust::text(&tables, &options), warnings))
     }
 

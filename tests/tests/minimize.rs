@@ -224,3 +224,77 @@ fn too_many_batches_are_a_limit() {
         synthesize(&mut solved, &options, &mut Timings::default()).expect_err("there are more batches");
     assert_eq!(failure.diagnostics()[0].code, Code::LimitReached);
 }
+
+/// Where a controller comes to rest.
+fn rest(controller: &Controller, mut state: u32) -> u32 {
+    while let Ok(row) = controller.super_steps.binary_search_by_key(&state, |step| step.source) {
+        state = controller.super_steps[row].target;
+    }
+    state
+}
+
+/// The state in which a controller waits after an event; `None` if it refuses it.
+fn after(controller: &Controller, state: u32, event: usize) -> Option<u32> {
+    let rows = &controller.environment[event];
+    let row = rows.binary_search_by_key(&state, |row| row.0).ok()?;
+    Some(rest(controller, rows[row].1))
+}
+
+/// The monitor refuses just what the strategy refuses, event by event; returns in how many places the ordered controller would have
+/// taken what it refuses.
+fn watches(spec: &Spec, random: &mut Random) -> Option<usize> {
+    let of_strategy = controller(spec, Level::None, 2_000)?;
+    let ordered = controller(spec, Level::Ordered, 2_000)?;
+    let options = Options { monitor: true, ..fast::options(false, 2_000) };
+    let mut solved = fast::solved(spec, &options).expect("it has a controller");
+    let monitor = synthesize(&mut solved, &options, &mut Timings::default()).expect("the same").controller;
+    assert!(monitor.super_steps.is_empty() && monitor.components.is_empty() && monitor.commands.is_empty());
+    assert!(monitor.states as usize <= mealy_states(&of_strategy));
+    let start = |controller| rest(controller, controller.initial);
+    let (mut at, mut watching, mut small) = (start(&of_strategy), start(&monitor), start(&ordered));
+    let mut given_back = 0;
+    for _ in 0..100 {
+        let mut fitting = Vec::new();
+        for event in 0..of_strategy.events.len() {
+            let (taken, expected) = (after(&of_strategy, at, event), after(&monitor, watching, event));
+            assert_eq!(taken.is_some(), expected.is_some(), "`{}`", of_strategy.events[event].text);
+            given_back += usize::from(expected.is_none() && after(&ordered, small, event).is_some());
+            fitting.extend(taken.zip(expected).map(|(taken, expected)| (event, taken, expected)));
+        }
+        if fitting.is_empty() {
+            break;
+        }
+        let (event, taken, expected) = fitting[random.below(fitting.len())];
+        (at, watching) = (taken, expected);
+        small = after(&ordered, small, event).expect("the ordered controller takes what can happen");
+    }
+    Some(given_back)
+}
+
+#[test]
+fn a_monitor_recognises_what_small_controllers_do_not() {
+    let mut random = Random::new(7);
+    let (mut watched, mut given_back) = (0, 0);
+    for entry in corpus::all() {
+        let spec = fast::resolved(&entry.text).expect("the corpus is right");
+        let found = watches(&spec, &mut random);
+        watched += usize::from(found.is_some());
+        given_back += found.unwrap_or(0);
+    }
+    for seed in 0..150 {
+        let spec = fast::resolved(&specification(seed, RandomOptions::default())).expect("it is right");
+        given_back += watches(&spec, &mut random).unwrap_or(0);
+    }
+    assert!(watched > 30 && given_back > 1000, "{watched} in the corpus, {given_back} events");
+}
+
+#[test]
+fn figures_of_monitors() {
+    for (name, states) in [("production_cell", 96), ("line_2", 1152), ("arbiter_2", 5), ("elevator_3", 28)] {
+        let options = Options { monitor: true, ..fast::options(false, 20_000) };
+        let spec = spec(name);
+        let mut solved = fast::solved(&spec, &options).expect("it is right");
+        let monitor = synthesize(&mut solved, &options, &mut Timings::default()).expect("it is realizable");
+        assert_eq!(monitor.controller.states, states, "{name}");
+    }
+}

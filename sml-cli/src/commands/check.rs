@@ -128,7 +128,7 @@ fn examine(
         explanation.iter().map(|explanation| explanation.diagnostic_with(&place)).collect();
     let existential = if spec.scenarios.iter().any(|scenario| scenario.kind == Kind::Existential) {
         let controller = if explanation.is_none() {
-            match session.synthesize(loaded, solved, Level::default()) {
+            match session.synthesize(loaded, solved, &session.options(Level::default())) {
                 Ok(verified) => Some(verified.controller),
                 Err(failure) => {
                     diagnostics.extend(failure.wrong()?);

@@ -64,5 +64,5 @@ fn own(arguments: &Arguments, session: &mut Session) -> Result<Controller, Failu
     follow::refuse(arguments.follow)?;
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;
-    Ok(session.synthesize(&loaded, &mut solved, level)?.controller)
+    Ok(session.synthesize(&loaded, &mut solved, &session.options(level))?.controller)
 }

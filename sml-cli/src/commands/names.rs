@@ -9,9 +9,9 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use synth_core::controller::tables::Tables;
-use synth_core::controller::{Level, interface};
+use synth_core::controller::{self, Level, interface};
 use synth_core::emit::{rust, st};
-use synth_core::pipeline::{alphabet, provenance};
+use synth_core::pipeline::{Options, alphabet, tables};
 use synth_core::plant::event_based;
 
 /// Arguments of `sml names`.
@@ -27,6 +27,9 @@ pub(crate) struct Arguments {
     /// Plants: what the controller goes by; `states` otherwise
     #[arg(long, value_enum)]
     follow: Option<Follow>,
+    /// Names in the monitor of a controller, which `sml export --monitor` writes
+    #[arg(long)]
+    monitor: bool,
 }
 
 #[derive(Serialize)]
@@ -61,6 +64,9 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     arguments.xml.fits(arguments.target)?;
     let given = input::given(&arguments.file)?;
     let follows_events = Follow::events(arguments.follow);
+    if given.is_plant {
+        super::plant::refuse(&[("--monitor", arguments.monitor)])?;
+    }
     if given.is_plant && !follows_events {
         return super::plant::names::run(&given, arguments.target, arguments.xml, session);
     }
@@ -82,7 +88,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
         Tables::new(&plant.name, &event_based::interface(&plant), provenance)
     } else {
         follow::refuse(arguments.follow)?;
-        of_specification(&given, session)?
+        of_specification(&given, arguments.monitor, session)?
     };
     let names = match structured_text {
         Some(target) => st::names(&tables, &st::Options { target, ..st::Options::default() }),
@@ -92,13 +98,15 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     Ok(Exit::Done)
 }
 
-fn of_specification(given: &Given, session: &mut Session) -> Result<Tables, Failure> {
+fn of_specification(given: &Given, monitor: bool, session: &mut Session) -> Result<Tables, Failure> {
     let loaded = session.parse(given);
     let spec = session.specification(&loaded)?;
     let explored = session.explore(&loaded, &spec)?;
     // Names come from the whole graph, so there is no need to know who wins.
     let controller = interface(&explored.game, &alphabet(&explored.playout));
-    Ok(Tables::new(&spec.name, &controller, provenance(&loaded, &spec, Level::default())))
+    let controller = if monitor { controller::monitor(&controller) } else { controller };
+    let options = Options { monitor, ..session.options(Level::default()) };
+    Ok(tables(&loaded, &spec, &options, &controller))
 }
 
 fn json(target: &str, names: &st::NameMap) -> String {

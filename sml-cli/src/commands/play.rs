@@ -70,7 +70,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let mut solved = if *strategy { Some(session.solve(&loaded, &spec)?) } else { None };
     let wins = |one: &&mut Solved<'_>| one.solution.wins(one.explored.game.initial);
     let verified = match solved.as_mut().filter(wins) {
-        Some(solved) => Some(session.synthesize(&loaded, solved, level)?),
+        Some(solved) => Some(session.synthesize(&loaded, solved, &session.options(level))?),
         None => None,
     };
     let opponent = match (&verified, &solved) {

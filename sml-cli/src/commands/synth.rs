@@ -29,7 +29,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let loaded = session.load(&arguments.file)?;
     let spec = session.specification(&loaded)?;
     let mut solved = session.solve(&loaded, &spec)?;
-    let verified = session.synthesize(&loaded, &mut solved, level)?;
+    let verified = session.synthesize(&loaded, &mut solved, &session.options(level))?;
     let policy = arguments.warnings.policy();
     let warnings = session.warnings_beside(&loaded, &mut solved, &policy)?;
     warnings::show(warnings, &policy, &loaded.sources, session)?;

@@ -10,6 +10,7 @@ mod fixtures;
 #[cfg(feature = "json")]
 pub mod json;
 pub mod minimize;
+pub mod monitor;
 pub mod number;
 pub(crate) mod partition;
 mod reduce;
@@ -20,6 +21,7 @@ pub mod tables;
 
 pub use alphabet::{Alphabet, Letter};
 pub use minimize::{Level, minimize, minimize_assuming};
+pub use monitor::monitor;
 pub use number::number;
 pub use super_steps::{EndlessSuperStep, interface, merge};
 

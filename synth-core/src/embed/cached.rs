@@ -54,7 +54,7 @@ mod tests {
     }
 
     const EDITOR: Expander = Expander::Editor;
-    const AUTO: Choices = Choices { engine: Engine::Auto, level: Level::Exact };
+    const AUTO: Choices = Choices { engine: Engine::Auto, level: Level::Exact, monitor: false };
     const RUNS: Choices = Choices { engine: Engine::Runs, ..AUTO };
     const ORDERED: Choices = Choices { level: Level::Ordered, ..AUTO };
 

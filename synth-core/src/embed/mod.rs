@@ -70,15 +70,17 @@ pub struct Choices {
     pub engine: Engine,
     /// How the controller is made smaller.
     pub level: Level,
+    /// Whether its monitor is made instead.
+    pub monitor: bool,
 }
 
-/// Takes `#![engine = "…"]` and `#![minimize = "…"]` off the beginning of the macro's input, which may have none.
+/// Takes `#![engine = "…"]`, `#![minimize = "…"]` and `#![monitor]` off the beginning of the macro's input, which may have none.
 ///
 /// # Errors
 ///
 /// A `compile_error!` at what is wrong with it.
 pub fn choices(tokens: &TokenStream) -> Result<(Choices, TokenStream), TokenStream> {
-    const EXPECTED: &str = "`#![engine = \"…\"]` or `#![minimize = \"…\"]`";
+    const EXPECTED: &str = "`#![engine = \"…\"]`, `#![minimize = \"…\"]` or `#![monitor]`";
     let mut choices = Choices::default();
     let rest = take_off(tokens, EXPECTED, |Attribute { name, value, span }| match value {
         Some((value, at)) if name == "engine" => {
@@ -87,6 +89,10 @@ pub fn choices(tokens: &TokenStream) -> Result<(Choices, TokenStream), TokenStre
         }
         Some((value, at)) if name == "minimize" => {
             choices.level = value.parse().map_err(|why| (*at, why))?;
+            Ok(())
+        }
+        None if name == "monitor" => {
+            choices.monitor = true;
             Ok(())
         }
         _ => Err((*span, format!("expected {EXPECTED}"))),
@@ -140,8 +146,8 @@ fn controller(
     expander: Expander,
     store: Option<&dyn Store>,
 ) -> Result<TokenStream, Vec<Diagnostic>> {
-    let Choices { engine, level } = choices;
-    let options = Options { level, ..expander.options() };
+    let Choices { engine, level, monitor } = choices;
+    let options = Options { level, monitor, ..expander.options() };
     let key = || {
         let key = Key::new("sml!", &(engine, options)).sources(&loaded.sources);
         match loaded.files.last() {
@@ -155,7 +161,7 @@ fn controller(
     cached(store, key, || match compile(loaded, &options, &mut Timings::default()) {
         Ok(mut tables) => {
             without_lines(&mut tables.provenance, INLINE);
-            Ok(rust::module(&tables, &rust::Options { engine, ordered: level == Level::Ordered }))
+            Ok(rust::module(&tables, &rust::Options { engine, ordered: options.is_ordered() }))
         }
         Err(failure) => {
             let file = file_to_be(loaded);

@@ -9,11 +9,13 @@ mod timings;
 
 pub use failure::{Failure, Refused, Unrealizable};
 pub use figures::Figures;
-pub use origin::{alphabet, provenance};
+pub use origin::{alphabet, provenance, tables};
 pub use timings::{Size, Stage, Timings};
 
 use crate::controller::tables::Tables;
-use crate::controller::{Controller, EndlessSuperStep, Level, merge, minimize, minimize_assuming, number};
+use crate::controller::{
+    Controller, EndlessSuperStep, Level, merge, minimize, minimize_assuming, monitor, number,
+};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::explain::explain;
 use crate::explore::{Explored, Limits, explore};
@@ -37,11 +39,22 @@ pub struct Options {
     pub limits: Limits,
     /// How the controller is made smaller.
     pub level: Level,
+    /// Instead of a controller, its [monitor](mod@monitor) is made. It is always as small as can be, whatever the level.
+    pub monitor: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Options { semantics: Semantics::default(), limits: Limits::default(), level: Level::Exact }
+        let (semantics, limits) = Default::default();
+        Options { semantics, limits, level: Level::Exact, monitor: false }
+    }
+}
+
+impl Options {
+    /// Whether the controller is for one event at a time only.
+    #[must_use]
+    pub fn is_ordered(&self) -> bool {
+        self.level == Level::Ordered && !self.monitor
     }
 }
 
@@ -71,7 +84,7 @@ impl Solved<'_> {
 /// A controller that passed verification.
 #[derive(Debug)]
 pub struct Verified {
-    /// As asked for.
+    /// As asked for: a controller, or its monitor.
     pub controller: Controller,
     /// Its states before it was minimised.
     pub unminimized_states: u32,
@@ -87,9 +100,7 @@ pub fn compile(loaded: &Loaded, options: &Options, timings: &mut Timings) -> Res
     let spec = timings.stage("resolve", || specification(loaded))?;
     let mut solved = play_and_solve(&spec, options, timings)?;
     let verified = synthesize(&mut solved, options, timings)?;
-    Ok(timings.stage("tables", || {
-        Tables::new(&spec.name, &verified.controller, provenance(loaded, &spec, options.level))
-    }))
+    Ok(timings.stage("tables", || tables(loaded, &spec, options, &verified.controller)))
 }
 
 /// As [`compile`], with everything that the specification is warned of; `thorough` as for [`warnings`].
@@ -106,8 +117,7 @@ pub fn compile_with_warnings(
     let mut solved = play_and_solve(&spec, options, timings)?;
     let verified = synthesize(&mut solved, options, timings)?;
     let warnings = warnings(loaded, &mut solved, thorough, timings)?;
-    let tables = || Tables::new(&spec.name, &verified.controller, provenance(loaded, &spec, options.level));
-    Ok((timings.stage("tables", tables), warnings))
+    Ok((timings.stage("tables", || tables(loaded, &spec, options, &verified.controller)), warnings))
 }
 
 /// The resolved specification, or everything that is wrong with it, the earliest mistake first.
@@ -168,6 +178,9 @@ pub fn synthesize(
     let raw =
         raw.map_err(|endless| Failure::Wrong(vec![endless::diagnostic(explored, &strategy, endless)]))?;
     timings.size(Size::of_controller(&raw));
+    if options.monitor {
+        return monitored(explored.playout.spec(), options, &raw, timings);
+    }
     let mut controller = timings.stage("minimise", || minimize(&raw, options.level));
     timings.size(Size::of_controller(&controller));
     if options.level == Level::Assume {
@@ -190,6 +203,25 @@ pub fn synthesize(
     if options.level == Level::Assume {
         let agree = || batches::agree(&mut explored.playout, &raw, &controller, most_batches(options));
         timings.stage("verify batches", agree)?;
+    }
+    Ok(Verified { controller, unminimized_states: raw.states, product_nodes })
+}
+
+/// The monitor of a controller that was not minimised, and is verified itself.
+fn monitored(
+    spec: &Spec,
+    options: &Options,
+    raw: &Controller,
+    timings: &mut Timings,
+) -> Result<Verified, Failure> {
+    let controller = timings.stage("monitor", || number(monitor(raw)));
+    timings.size(Size::of_controller(&controller));
+    let product_nodes = timings.stage("verify", || verify(spec, options.semantics, raw, MOST_NODES))?;
+    timings.size(Size::of_nodes(product_nodes));
+    if !timings.stage("verify monitor", || monitor::agrees(&controller, raw)) {
+        return Err(Failure::Inconsistent(
+            "the monitor expects other events than the controller takes".to_owned(),
+        ));
     }
     Ok(Verified { controller, unminimized_states: raw.states, product_nodes })
 }

@@ -1,7 +1,8 @@
 //! What the back ends are told of the specification: its events, its requirements, where it came from.
 
-use crate::controller::tables::{Provenance, Requirement};
-use crate::controller::{Alphabet, Event, Letter, Level};
+use super::Options;
+use crate::controller::tables::{Provenance, Requirement, Tables};
+use crate::controller::{Alphabet, Controller, Event, Letter};
 use crate::model::{Kind, Scenario, Spec};
 use crate::playout::Playout;
 use crate::syntax::Loaded;
@@ -29,9 +30,16 @@ pub fn alphabet(playout: &Playout<'_>) -> Alphabet {
     Alphabet { letters: (0..playout.event_count() as u32).map(letter).collect() }
 }
 
+/// The tables of a controller, or of a monitor, which has a name of its own: both can be parts of one program.
+#[must_use]
+pub fn tables(loaded: &Loaded, spec: &Spec, options: &Options, controller: &Controller) -> Tables {
+    let name = if options.monitor { format!("{}Monitor", spec.name) } else { spec.name.clone() };
+    Tables::new(&name, controller, provenance(loaded, spec, options))
+}
+
 /// What outputs say of their origin.
 #[must_use]
-pub fn provenance(loaded: &Loaded, spec: &Spec, level: Level) -> Provenance {
+pub fn provenance(loaded: &Loaded, spec: &Spec, options: &Options) -> Provenance {
     let requirement = |scenario: &Scenario| Requirement {
         scenario: scenario.name.clone(),
         kind: match scenario.kind {
@@ -46,8 +54,8 @@ pub fn provenance(loaded: &Loaded, spec: &Spec, level: Level) -> Provenance {
     Provenance {
         file: loaded.sources.path(Loaded::MAIN).to_owned(),
         hash: loaded.hash(),
-        options: level.option(),
-        level,
+        options: if options.monitor { " --monitor".to_owned() } else { options.level.option() },
+        level: options.level,
         requirements: spec.scenarios.iter().map(requirement).collect(),
     }
 }

@@ -41,6 +41,9 @@ pub(crate) struct Arguments {
     templates: Option<PathBuf>,
     #[command(flatten)]
     minimize: Minimize,
+    /// Write the monitor of the controller instead: which events are expected, without commands
+    #[arg(long, conflicts_with_all = ["minimize", "no_minimize", "templates"])]
+    pub(super) monitor: bool,
     #[command(flatten)]
     pub(super) warnings: Warnings,
     #[command(flatten)]
@@ -68,6 +71,7 @@ impl Arguments {
         let others = [
             ("--templates", self.templates.is_some()),
             ("--minimize", self.minimize.is_given()),
+            ("--monitor", self.monitor),
             ("--engine", self.engine.is_some()),
         ];
         others.into_iter().chain(self.text.given())
@@ -108,7 +112,7 @@ impl Arguments {
     /// The options that are not a target's own, as far as they change what is written.
     pub(super) fn general_options(&self, session: &Session) -> String {
         let classic = if session.semantics().classic { " --classic" } else { "" };
-        let level = self.minimize.level().option();
+        let level = if self.monitor { " --monitor".to_owned() } else { self.minimize.level().option() };
         let folder = self.templates.as_ref().map(|folder| shell::quoted(&folder.display().to_string()));
         let templates = folder.map(|folder| format!(" --templates {folder}")).unwrap_or_default();
         format!("{classic}{level}{templates}")

@@ -163,6 +163,7 @@ fn of_modules(
 /// The controller that follows events.
 fn of_events(arguments: &Arguments, given: &Given, session: &mut Session) -> Result<Exit, Failure> {
     refuse_given(arguments.plant.of_states(), "a controller that follows events")?;
+    refuse_given([("--monitor", arguments.monitor)], "a controller that follows events")?;
     no_rungs(arguments.target)?;
     let layout = Layout::new(arguments)?;
     let mut read = session.plant(given)?;
