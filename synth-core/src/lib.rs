@@ -20,6 +20,7 @@ pub mod game;
 mod intern;
 pub mod logic;
 pub mod model;
+mod parallel;
 pub mod pipeline;
 pub mod plant;
 pub mod playout;

@@ -25,7 +25,7 @@ fn unminimized(most: usize) -> Options {
 }
 
 fn refutation(spec: &Spec, controller: &Controller) -> Option<Refutation> {
-    match verify(spec, Options::default().semantics, controller, 100_000) {
+    match verify(spec, Options::default().semantics, controller, 100_000, 1) {
         Ok(_) => None,
         Err(VerifyError::Refuted(refutation)) => Some(refutation),
         Err(other) => panic!("{other:?}"),

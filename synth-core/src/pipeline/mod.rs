@@ -191,16 +191,15 @@ pub fn synthesize(
         timings.size(Size::of_controller(&controller));
     }
     let controller = timings.stage("number", || number(controller));
-    // The limit on states was kept by exploration. The product has a node of its own for each way into a super step.
-    let spec = explored.playout.spec();
-    let verify = |controller| verify(spec, options.semantics, controller, MOST_NODES);
-    // Where nothing was merged, both are the same but for numbers.
-    if controller.states < raw.states {
-        timings.stage("verify unminimised", || verify(&raw))?;
-    }
-    let product_nodes = timings.stage("verify", || verify(&controller))?;
+    // What is emitted is verified, so nothing that it was made of need be. The limit on states was kept by exploration; the
+    // product has a node of its own for each way into a super step.
+    let limits = &options.limits;
+    let verify = || verify(explored.playout.spec(), options.semantics, &controller, MOST_NODES, limits.threads);
+    let product_nodes = timings.stage("verify", verify)?;
     timings.size(Size::of_nodes(product_nodes));
     if options.level == Level::Assume {
+        // The product has one event at a time. With several, both do the same; where one comes at a time, what the other one
+        // does has just been verified.
         let agree = || batches::agree(&mut explored.playout, &raw, &controller, most_batches(options));
         timings.stage("verify batches", agree)?;
     }
@@ -297,7 +296,8 @@ fn merged(explored: &mut Explored<'_>, strategy: &Strategy) -> Result<Controller
 /// # Errors
 /// [`Failure::Unverified`], or a mistake of the specification that a play reaches.
 pub fn check(spec: &Spec, controller: &Controller, options: &Options) -> Result<usize, Failure> {
-    Ok(verify(spec, options.semantics, controller, options.limits.states)?)
+    let Limits { states, threads, .. } = options.limits;
+    Ok(verify(spec, options.semantics, controller, states, threads)?)
 }
 
 /// Explains that the specification is not realizable, and explores no more for that than was allowed for the game.

@@ -6,42 +6,90 @@
 //! and discharged on none of its edges stays so in every part. So each strongly connected component is judged once,
 //! as soon as it is found.
 
+use super::graph::Graph;
 use super::product::Product;
+use super::starving::{GOALS, starving};
 use super::{Refutation, VerifyError};
+use crate::parallel;
 use crate::playout::KeyId;
 use std::collections::VecDeque;
 
 const NONE: u32 = u32::MAX;
 
-/// Checks every guarantee key and that super steps end.
-pub(super) fn check(product: &Product<'_>) -> Result<(), VerifyError> {
+/// Nodes times goals that are worth another thread.
+const LEAST_SHARE: usize = 1 << 16;
+
+/// What must not starve: a guarantee key, or, if it is none, the end of a super step.
+type Goal = Option<KeyId>;
+
+/// Checks every guarantee key and that super steps end. `threads` as in [`parallel::share`].
+pub(super) fn check(product: &Product<'_>, threads: usize) -> Result<(), VerifyError> {
     let keys = product.open_keys();
-    let assumed = keys.iter().filter(|&&key| product.is_assumed(key));
-    let mut search = Search {
-        product,
-        assumed: assumed.map(|&key| product.containing(key)).collect(),
-        avoided: None,
-        number: vec![NONE; product.nodes()],
-        low: vec![0; product.nodes()],
-        component: vec![NONE; product.nodes()],
-        waiting: Vec::new(),
-        path: Vec::new(),
-    };
-    for key in keys.into_iter().filter(|&key| !product.is_assumed(key)) {
-        search.avoided = Some((key, product.containing(key)));
-        search.run()?;
+    let (assumptions, guarantees): (Vec<_>, Vec<_>) = keys.iter().partition(|&&key| product.is_assumed(key));
+    let assumed: Vec<Vec<bool>> = assumptions.into_iter().map(|key: KeyId| product.containing(key)).collect();
+    let goals: Vec<Goal> = guarantees.into_iter().map(Some).chain([None]).collect();
+    for goals in goals.chunks(GOALS) {
+        check_some(product, &assumed, goals, threads)?;
     }
-    search.avoided = None;
-    search.run()
+    Ok(())
+}
+
+/// Checks a word of goals.
+fn check_some(
+    product: &Product<'_>,
+    assumed: &[Vec<bool>],
+    goals: &[Goal],
+    threads: usize,
+) -> Result<(), VerifyError> {
+    let graph = &product.graph;
+    let mut open = vec![0; product.sets() as usize];
+    let mut inner = 0;
+    for (bit, goal) in goals.iter().enumerate() {
+        match goal {
+            Some(key) => {
+                let containing = product.containing(*key);
+                open.iter_mut().zip(containing).for_each(|(open, is_in)| *open |= u64::from(is_in) << bit);
+            }
+            None => inner |= 1 << bit,
+        }
+    }
+    let assumes: Vec<bool> = (0..open.len()).map(|set| assumed.iter().any(|is_in| is_in[set])).collect();
+    let starving = starving(graph, &open, inner, &assumes);
+    let any = starving.iter().fold(0, |any, goals| any | goals);
+    let suspects: Vec<u32> = (0..goals.len() as u32).filter(|bit| any >> bit & 1 == 1).collect();
+    let found = parallel::find_first(&suspects, LEAST_SHARE / graph.nodes().max(1), threads, |&bit| {
+        Search::new(graph, assumed, &starving, &open, bit).run()
+    });
+    found.map_or(Ok(()), |(index, cycle)| Err(refutation(product, goals[suspects[index] as usize], &cycle)))
+}
+
+fn refutation(product: &Product<'_>, goal: Goal, found: &Cycle) -> VerifyError {
+    let reason = match goal {
+        Some(key) => format!("an obligation of guarantee `{}` is never met", product.scenario_of(key)),
+        None => "a super step never ends".to_owned(),
+    };
+    let cycle = found.edges.iter().map(|&edge| product.edge_text(edge)).collect();
+    VerifyError::Refuted(Refutation { reason, play: product.play(found.start), cycle })
+}
+
+/// A cycle that must not be.
+struct Cycle {
+    start: u32,
+    /// None, if the environment simply stays silent.
+    edges: Vec<u32>,
 }
 
 /// Strongly connected components by Tarjan's algorithm with an explicit stack.
 struct Search<'a> {
-    product: &'a Product<'a>,
+    graph: &'a Graph,
     /// Per assumption key that is open somewhere, and per set of keys: whether it is in there.
-    assumed: Vec<Vec<bool>>,
-    /// The guarantee key, and the sets that it is in; none is the one for super steps.
-    avoided: Option<(KeyId, Vec<bool>)>,
+    assumed: &'a [Vec<bool>],
+    /// Per node: the goals that can starve from there on.
+    starving: &'a [u64],
+    /// Per set of keys: the goals that are in there.
+    open: &'a [u64],
+    /// The goal, as a number of one bit.
+    goal: u64,
     /// Per node: its number in the order of discovery, the least one that it reaches, and its component. [`NONE`]
     /// before it has one.
     number: Vec<u32>,
@@ -53,13 +101,32 @@ struct Search<'a> {
     path: Vec<(u32, u32)>,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    fn new(
+        graph: &'a Graph,
+        assumed: &'a [Vec<bool>],
+        starving: &'a [u64],
+        open: &'a [u64],
+        bit: u32,
+    ) -> Self {
+        Search {
+            graph,
+            assumed,
+            starving,
+            open,
+            goal: 1 << bit,
+            number: vec![NONE; graph.nodes()],
+            low: vec![0; graph.nodes()],
+            component: vec![NONE; graph.nodes()],
+            waiting: Vec::new(),
+            path: Vec::new(),
+        }
+    }
+
     /// Looks for a fair cycle through nodes that matter on edges that matter.
-    fn run(&mut self) -> Result<(), VerifyError> {
-        self.number.fill(NONE);
-        self.component.fill(NONE);
+    fn run(&mut self) -> Option<Cycle> {
         let (mut counter, mut components) = (0, 0);
-        for root in 0..self.product.nodes() as u32 {
+        for root in 0..self.graph.nodes() as u32 {
             if self.number[root as usize] != NONE || !self.matters(root) {
                 continue;
             }
@@ -67,7 +134,7 @@ impl Search<'_> {
             while let Some(&mut (node, ref mut left)) = self.path.last_mut() {
                 if *left > 0 {
                     *left -= 1;
-                    let edge = self.product.edges_of(node).start + *left;
+                    let edge = self.graph.edges_of(node).start + *left;
                     self.look(node, edge, &mut counter);
                     continue;
                 }
@@ -77,12 +144,15 @@ impl Search<'_> {
                     self.low[parent as usize] = self.low[parent as usize].min(low);
                 }
                 if low == self.number[node as usize] {
-                    self.close(node, components)?;
+                    let found = self.close(node, components);
+                    if found.is_some() {
+                        return found;
+                    }
                     components += 1;
                 }
             }
         }
-        Ok(())
+        None
     }
 
     fn discover(&mut self, node: u32, counter: &mut u32) {
@@ -90,12 +160,12 @@ impl Search<'_> {
         self.low[node as usize] = *counter;
         *counter += 1;
         self.waiting.push(node);
-        let edges = self.product.edges_of(node);
+        let edges = self.graph.edges_of(node);
         self.path.push((node, edges.end - edges.start));
     }
 
     fn look(&mut self, node: u32, edge: u32, counter: &mut u32) {
-        let next = self.product.target[edge as usize];
+        let next = self.graph.target[edge as usize];
         if !self.avoids(edge) || !self.matters(next) {
             return;
         }
@@ -108,45 +178,39 @@ impl Search<'_> {
     }
 
     /// A component is complete: the nodes that wait from `root` on.
-    fn close(&mut self, root: u32, component: u32) -> Result<(), VerifyError> {
+    fn close(&mut self, root: u32, component: u32) -> Option<Cycle> {
         let start = self.waiting.iter().rposition(|&node| node == root).unwrap_or_default();
         for index in start..self.waiting.len() {
             self.component[self.waiting[index] as usize] = component;
         }
         let members = &self.waiting[start..];
         if self.is_cycle(members, component) && self.is_fair(members, component) {
-            return Err(self.refutation(members, component));
+            return Some(self.cycle(members, component));
         }
         self.waiting.truncate(start);
-        Ok(())
+        None
     }
 
     /// Whether a node is one of those that are looked at.
     fn matters(&self, node: u32) -> bool {
-        match &self.avoided {
-            Some((_, contains)) => contains[self.product.open[node as usize] as usize],
-            None => !self.product.environment[node as usize],
-        }
+        self.starving[node as usize] & self.goal != 0
     }
 
     /// Whether an edge does not discharge the key.
     fn avoids(&self, edge: u32) -> bool {
-        match &self.avoided {
-            Some((_, contains)) => !contains[self.product.discharged[edge as usize] as usize],
-            None => true,
-        }
+        self.open[self.graph.discharged[edge as usize] as usize] & self.goal == 0
     }
 
     /// The edges from a node of a component that stay in it.
     fn inside(&self, node: u32, component: u32) -> impl Iterator<Item = u32> {
-        self.product.edges_of(node).filter(move |&edge| {
-            self.avoids(edge) && self.component[self.product.target[edge as usize] as usize] == component
+        self.graph.edges_of(node).filter(move |&edge| {
+            self.avoids(edge) && self.component[self.graph.target[edge as usize] as usize] == component
         })
     }
 
     fn is_cycle(&self, members: &[u32], component: u32) -> bool {
         members.len() > 1
-            || self.product.silent[members[0] as usize]
+            || self.graph.rest[members[0] as usize].silent
             || self.inside(members[0], component).next().is_some()
     }
 
@@ -160,20 +224,20 @@ impl Search<'_> {
     }
 
     fn is_open(&self, node: u32, key: &[bool]) -> bool {
-        key[self.product.open[node as usize] as usize]
+        key[self.graph.open[node as usize] as usize]
     }
 
     fn discharges(&self, edge: u32, key: &[bool]) -> bool {
-        key[self.product.discharged[edge as usize] as usize]
+        key[self.graph.discharged[edge as usize] as usize]
     }
 
-    /// A play into the component and a walk around it that is fair to every assumption.
-    fn refutation(&self, members: &[u32], component: u32) -> VerifyError {
+    /// A walk around a component that is fair to every assumption.
+    fn cycle(&self, members: &[u32], component: u32) -> Cycle {
         // Nodes are numbered breadth first: the least one has a shortest play.
         let start = members.iter().copied().min().unwrap_or_default();
         let mut cycle = Vec::new();
         let mut here = start;
-        for assumed in &self.assumed {
+        for assumed in self.assumed {
             let (walk, end) = self.walk(here, component, &|node, edge| match edge {
                 None => !self.is_open(node, assumed),
                 Some(edge) => self.discharges(edge, assumed),
@@ -184,48 +248,42 @@ impl Search<'_> {
         let back = |node, edge: Option<u32>| edge.is_none() && node == start;
         if here != start {
             cycle.extend(self.walk(here, component, &back).0);
-        } else if cycle.is_empty() && !self.product.silent[start as usize] {
+        } else if cycle.is_empty() && !self.graph.rest[start as usize].silent {
             // No assumption asks for a move: any way around will do.
             if let Some(edge) = self.inside(start, component).next() {
-                cycle.push(self.product.edge_text(edge));
-                cycle.extend(self.walk(self.product.target[edge as usize], component, &back).0);
+                cycle.push(edge);
+                cycle.extend(self.walk(self.graph.target[edge as usize], component, &back).0);
             }
         }
-        let reason = match &self.avoided {
-            Some((key, _)) => {
-                format!("an obligation of guarantee `{}` is never met", self.product.scenario_of(*key))
-            }
-            None => "a super step never ends".to_owned(),
-        };
-        VerifyError::Refuted(Refutation { reason, play: self.product.play(start), cycle })
+        Cycle { start, edges: cycle }
     }
 
-    /// A shortest walk inside the component to a node, or over an edge, that is wanted; its texts and its end.
+    /// A shortest walk inside the component to a node, or over an edge, that is wanted; its edges and its end.
     fn walk(
         &self,
         from: u32,
         component: u32,
         wanted: &dyn Fn(u32, Option<u32>) -> bool,
-    ) -> (Vec<String>, u32) {
+    ) -> (Vec<u32>, u32) {
         let mut came: Vec<(u32, u32)> = Vec::new();
         let mut queue = VecDeque::from([(from, NONE)]);
         let mut seen = std::collections::BTreeSet::from([from]);
         let trace = |came: &[(u32, u32)], mut at: u32| {
-            let mut texts = Vec::new();
+            let mut edges = Vec::new();
             while at != NONE {
                 let (edge, before) = came[at as usize];
-                texts.push(self.product.edge_text(edge));
+                edges.push(edge);
                 at = before;
             }
-            texts.reverse();
-            texts
+            edges.reverse();
+            edges
         };
         while let Some((node, via)) = queue.pop_front() {
             if wanted(node, None) {
                 return (trace(&came, via), node);
             }
             for edge in self.inside(node, component) {
-                let target = self.product.target[edge as usize];
+                let target = self.graph.target[edge as usize];
                 came.push((edge, via));
                 let via = came.len() as u32 - 1;
                 if wanted(node, Some(edge)) {

@@ -10,11 +10,16 @@
 //! that violates a guarantee, a command that is not allowed, a super step that ends too early. `fairness` looks
 //! for a cycle on which every assumption is kept and some guarantee starves.
 
+mod batch;
 pub mod batches;
 mod fairness;
+mod graph;
 mod machine;
+mod nodes;
 mod product;
+mod rules;
 mod shape;
+mod starving;
 
 use crate::controller::Controller;
 use crate::model::Spec;
@@ -54,11 +59,12 @@ pub fn verify(
     semantics: Semantics,
     controller: &Controller,
     most_nodes: usize,
+    threads: usize,
 ) -> Result<usize, VerifyError> {
     if let Some(reason) = shape::fault(controller) {
         return Err(VerifyError::Refuted(Refutation { reason, play: Vec::new(), cycle: Vec::new() }));
     }
-    let product = product::Product::explore(spec, semantics, controller, most_nodes)?;
-    fairness::check(&product)?;
-    Ok(product.nodes())
+    let product = product::Product::explore(spec, semantics, controller, most_nodes, threads)?;
+    fairness::check(&product, threads)?;
+    Ok(product.graph.nodes())
 }

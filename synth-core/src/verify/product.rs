@@ -1,232 +1,84 @@
 //! The product of controller and specification, breadth first.
 
+use super::batch::{BATCH, Block, Found, Head, Reader, Target, fill};
+use super::graph::Graph;
 use super::machine::Machine;
+use super::nodes::{Control, Nodes};
+use super::rules::{Step, steps};
 use super::{Refutation, VerifyError};
-use crate::controller::{Controller, SuperStep};
-use crate::game::{Turn, YIELD};
-use crate::intern::Indexed;
+use crate::controller::Controller;
 use crate::model::{Kind, Spec};
-use crate::playout::{EventId, KeyId, PlayError, Playout, Semantics};
-use crate::successors::{Edge, PackedMoves, SetId, StateId, StateStore, reserve};
+use crate::playout::{EventId, KeyId, Playout, Semantics};
+use crate::successors::{Learned, PackedMoves, SetId, UNKNOWN_SET};
+use std::ops::Range;
 
-/// A node: a state of the specification, one of the controller, and the next event of its due super step.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-struct Node {
-    state: StateId,
-    control: u32,
-    position: u32,
+/// Edges have `u32` offsets; one node adds fewer than the rest.
+const MOST_EDGES: usize = (u32::MAX - (1 << 24)) as usize;
+
+/// The product, and what its numbers mean.
+pub(super) struct Product<'s> {
+    playout: Playout<'s>,
+    nodes: Nodes,
+    pub(super) graph: Graph,
 }
 
-/// The product so far. Node 0 is the initial one.
-pub(super) struct Product<'a> {
-    playout: Playout<'a>,
-    store: StateStore,
-    nodes: Indexed<Node>,
-    /// Per node: the one before it on a shortest play into it, and the event or [`YIELD`]. Nothing of the kind for node 0.
-    parent: Vec<(u32, EventId)>,
-    /// Per explored node: the keys that are open.
-    pub(super) open: Vec<SetId>,
-    /// Per explored node: the environment has the turn.
-    pub(super) environment: Vec<bool>,
-    /// Per explored node: the environment may stay silent.
-    pub(super) silent: Vec<bool>,
-    /// Offsets into the edges, one more than there are explored nodes.
-    first: Vec<u32>,
-    /// Per edge: where it leads.
-    pub(super) target: Vec<u32>,
-    /// Per edge: its event or [`YIELD`].
-    event: Vec<EventId>,
-    /// Per edge: the keys that it discharges.
-    pub(super) discharged: Vec<SetId>,
-}
+/// Why exploration ends at a node.
+type End = (u32, VerifyError);
 
-impl<'a> Product<'a> {
+impl<'s> Product<'s> {
     /// Explores everything, or stops at the first thing that must not happen.
     pub(super) fn explore(
-        spec: &'a Spec,
+        spec: &'s Spec,
         semantics: Semantics,
         controller: &Controller,
         most_nodes: usize,
+        threads: usize,
     ) -> Result<Self, VerifyError> {
         let unplayed = |error| VerifyError::Play(error, Vec::new());
         let mut playout = Playout::new(spec, semantics).map_err(unplayed)?;
         let config = playout.initial().map_err(unplayed)?;
-        let mut product = Product {
-            store: StateStore::new(&playout, &config),
-            playout,
-            nodes: Indexed::default(),
-            parent: Vec::new(),
-            open: Vec::new(),
-            environment: Vec::new(),
-            silent: Vec::new(),
-            first: vec![0],
-            target: Vec::new(),
-            event: Vec::new(),
-            discharged: Vec::new(),
-        };
-        let mut machine = Machine::new(controller);
-        product.intern(Node { state: 0, control: controller.initial, position: 0 }, (0, YIELD));
-        let mut moves = PackedMoves::default();
-        for id in 0.. {
-            if id as usize >= product.nodes.len() {
-                break;
-            }
-            // Edges have `u32` offsets, too; one node adds fewer than the rest.
-            if product.nodes.len() > most_nodes || product.target.len() > u32::MAX as usize - (1 << 24) {
-                return Err(VerifyError::TooLarge(most_nodes));
-            }
-            let node = *product.nodes.get(id);
-            if let Err((event, mistake)) = product.store.moves(&mut product.playout, node.state, &mut moves) {
-                return Err(product.broken(id, event, mistake));
-            }
-            machine.keep_up(&product.playout);
-            push(&mut product.open, moves.open);
-            push(&mut product.environment, moves.turn.is_environment());
-            push(&mut product.silent, moves.silent);
-            match machine.due(node.control) {
-                Some(step) => product.command(id, node, step, &machine, &moves)?,
-                None => product.rest(id, node, &machine, &moves)?,
-            }
-            push(&mut product.first, product.target.len() as u32);
-        }
+        let control = Control { state: controller.initial, position: 0 };
+        let nodes = Nodes::new(&playout, &config, control);
+        let product = Product { playout, nodes, graph: Graph::new() };
+        let machine = Machine::new(controller);
+        let explorer =
+            Explorer { product, machine, blocks: Vec::new(), looked_at_again: Block::default(), most_nodes };
+        let product = explorer.run(threads)?;
         // Last, because what the play itself shows says more.
         check_components(spec, controller)?;
         Ok(product)
     }
 
-    pub(super) fn nodes(&self) -> usize {
-        self.nodes.len()
-    }
-
-    /// The controller sends the next event of its super step.
-    fn command(
-        &mut self,
-        id: u32,
-        node: Node,
-        step: &SuperStep,
-        machine: &Machine<'_>,
-        moves: &PackedMoves,
-    ) -> Result<(), VerifyError> {
-        if let (0, Some(event)) = (node.position, machine.accepted(node.control)) {
-            let reason = format!("the controller accepts `{event}` while its super step is due");
-            return Err(self.refuted(id, None, reason));
-        }
-        let command = step.events[node.position as usize];
-        let text = machine.command_text(command);
-        if !moves.turn.is_system() {
-            let reason = format!("the controller sends `{text}` in the environment's turn");
-            return Err(self.refuted(id, None, reason));
-        }
-        let sent = moves.edges().iter().find(|edge| machine.is_command(edge.event, command));
-        let Some(sent) = sent else {
-            let reason = format!("the controller sends `{text}`, which is not allowed here");
-            return Err(self.refuted(id, None, reason));
-        };
-        let last = node.position as usize + 1 == step.events.len();
-        let (control, position) = if last { (step.target, 0) } else { (node.control, node.position + 1) };
-        self.follow(id, moves, sent, control, position);
-        Ok(())
-    }
-
-    /// The controller waits for the environment.
-    fn rest(
-        &mut self,
-        id: u32,
-        node: Node,
-        machine: &Machine<'_>,
-        moves: &PackedMoves,
-    ) -> Result<(), VerifyError> {
-        match moves.turn {
-            Turn::SystemEventually => {
-                if let Some(pass) = moves.edges().iter().find(|edge| edge.event == YIELD) {
-                    self.follow(id, moves, pass, node.control, 0);
-                }
-            }
-            Turn::SystemCommitted | Turn::SystemUrgent => {
-                let reason = "the controller sends nothing where it must send a committed or urgent message";
-                return Err(self.refuted(id, None, reason.to_owned()));
-            }
-            _ => {
-                for edge in moves.edges() {
-                    if edge.end == Some(Turn::Lost) {
-                        let reason = "the environment violates a guarantee";
-                        return Err(self.refuted(id, Some(edge.event), reason.to_owned()));
-                    }
-                    match machine.target(node.control, edge.event) {
-                        Some(control) => self.follow(id, moves, edge, control, 0),
-                        None => {
-                            let text = &self.playout.event(edge.event).text;
-                            let reason = format!("the controller does not accept `{text}`");
-                            return Err(self.refuted(id, Some(edge.event), reason));
-                        }
-                    }
-                }
-            }
-        }
-        Ok(())
-    }
-
-    fn follow(&mut self, id: u32, moves: &PackedMoves, edge: &Edge, control: u32, position: u32) {
-        // A move that wins the game at once (classic semantics) leads nowhere.
-        if edge.end.is_none() {
-            let state = self.store.intern(moves.target(edge));
-            let target = self.intern(Node { state, control, position }, (id, edge.event));
-            push(&mut self.target, target);
-            push(&mut self.event, edge.event);
-            push(&mut self.discharged, edge.discharged);
-        }
-    }
-
-    fn intern(&mut self, node: Node, parent: (u32, EventId)) -> u32 {
-        let (id, new) = self.nodes.intern(node);
-        if new {
-            push(&mut self.parent, parent);
-        }
-        id
-    }
-
-    /// The edges that leave a node.
-    pub(super) fn edges_of(&self, node: u32) -> std::ops::Range<u32> {
-        self.first[node as usize]..self.first[node as usize + 1]
+    /// How many sets of keys the graph can name; they are below it.
+    pub(super) fn sets(&self) -> SetId {
+        let Graph { open, discharged, .. } = &self.graph;
+        open.iter().chain(discharged).max().map_or(0, |set| set + 1)
     }
 
     /// Per set of keys: whether this one is in it.
     pub(super) fn containing(&self, key: KeyId) -> Vec<bool> {
-        (0..self.store.sets()).map(|set| self.store.keys(set).binary_search(&key).is_ok()).collect()
+        (0..self.sets()).map(|set| self.nodes.successors.set(set).binary_search(&key).is_ok()).collect()
     }
 
     /// Texts of a shortest play into a node.
-    pub(super) fn play(&self, id: u32) -> Vec<String> {
-        let mut play = Vec::new();
-        let mut here = id;
-        while here != 0 {
-            let (parent, event) = self.parent[here as usize];
-            play.push(self.text(event));
-            here = parent;
-        }
-        play.reverse();
-        play
+    pub(super) fn play(&self, node: u32) -> Vec<String> {
+        self.graph.play(node).into_iter().map(|edge| self.edge_text(edge)).collect()
     }
 
     /// The text of an edge.
     pub(super) fn edge_text(&self, edge: u32) -> String {
-        self.text(self.event[edge as usize])
+        self.text(self.graph.event(edge))
     }
 
-    fn text(&self, event: EventId) -> String {
-        self.playout.text((event != YIELD).then_some(event)).to_owned()
+    fn text(&self, event: Option<EventId>) -> String {
+        self.playout.text(event).to_owned()
     }
 
-    fn refuted(&self, id: u32, last: Option<EventId>, reason: String) -> VerifyError {
-        let mut play = self.play(id);
-        play.extend(last.map(|event| self.text(event)));
-        VerifyError::Refuted(Refutation { reason, play, cycle: Vec::new() })
-    }
-
-    fn broken(&self, id: u32, event: Option<EventId>, mistake: PlayError) -> VerifyError {
-        let mut play = self.play(id);
-        play.extend(event.map(|event| self.text(event)));
-        VerifyError::Play(mistake, play)
+    /// A play into a node, and then perhaps an event.
+    fn play_and(&self, node: u32, last: Option<EventId>) -> Vec<String> {
+        let mut play = self.play(node);
+        play.extend(last.map(|event| self.text(Some(event))));
+        play
     }
 
     /// Whether a key belongs to an assumption.
@@ -236,18 +88,12 @@ impl<'a> Product<'a> {
 
     /// The keys that are open in some node, ascending.
     pub(super) fn open_keys(&self) -> Vec<KeyId> {
-        let mut used = vec![false; self.store.sets() as usize];
-        self.open.iter().for_each(|&set| used[set as usize] = true);
-        let used = (0..self.store.sets()).filter(|&set| used[set as usize]);
-        let mut keys: Vec<KeyId> = Vec::new();
-        let mut seen = vec![false; self.playout.key_count()];
-        for &key in used.flat_map(|set| self.store.keys(set)) {
-            if !std::mem::replace(&mut seen[key as usize], true) {
-                keys.push(key);
-            }
-        }
-        keys.sort_unstable();
-        keys
+        let mut used = vec![false; self.sets() as usize];
+        self.graph.open.iter().for_each(|&set| used[set as usize] = true);
+        let used = (0..self.sets()).filter(|&set| used[set as usize]);
+        let mut is_open = vec![false; self.playout.key_count()];
+        used.flat_map(|set| self.nodes.successors.set(set)).for_each(|&key| is_open[key as usize] = true);
+        (0..).zip(is_open).filter_map(|(key, is_open)| is_open.then_some(key)).collect()
     }
 
     /// The name of the scenario that a key belongs to.
@@ -256,10 +102,111 @@ impl<'a> Product<'a> {
     }
 }
 
-fn push<T>(values: &mut Vec<T>, value: T) {
-    reserve(values, 1);
-    values.push(value);
+/// Makes the product.
+struct Explorer<'c, 's> {
+    product: Product<'s>,
+    machine: Machine<'c>,
+    /// The batch: what threads found, and the nodes that had to be looked at again.
+    blocks: Vec<Block>,
+    looked_at_again: Block,
+    most_nodes: usize,
 }
+
+impl<'s> Explorer<'_, 's> {
+    fn run(mut self, threads: usize) -> Result<Product<'s>, VerifyError> {
+        while self.product.graph.nodes() < self.product.nodes.len() {
+            let start = self.product.graph.nodes();
+            let batch = start as u32..self.product.nodes.len().min(start + BATCH) as u32;
+            let (filled, end) = self.find(&batch, threads);
+            let (blocks, again) =
+                (std::mem::take(&mut self.blocks), std::mem::take(&mut self.looked_at_again));
+            self.merge(&blocks[..filled], &again, end.as_ref().map(|end| end.0))?;
+            if let Some((_, error)) = end {
+                return Err(error);
+            }
+            (self.blocks, self.looked_at_again) = (blocks, again);
+        }
+        Ok(self.product)
+    }
+
+    /// Finds what a batch leads to, up to the first node with which something is wrong; how many blocks have been filled.
+    fn find(&mut self, batch: &Range<u32>, threads: usize) -> (usize, Option<End>) {
+        let Explorer { product, machine, blocks, looked_at_again: again, .. } = self;
+        let mut moves = PackedMoves::default();
+        let mut found: Vec<Step> = Vec::new();
+        loop {
+            let filled = fill(blocks, &product.nodes, machine, batch.clone(), threads);
+            again.clear();
+            let mut narrow = Vec::new();
+            let mut end = None;
+            let heads = blocks[..filled].iter().flat_map(Block::heads);
+            for (node, _) in batch.clone().zip(heads).filter(|(_, head)| head.again) {
+                match product.nodes.learn(&mut product.playout, node, &mut narrow, &mut moves) {
+                    Ok(Learned::Moves) => {}
+                    Ok(Learned::Narrow) => continue,
+                    Err((event, mistake)) => {
+                        end = Some((node, VerifyError::Play(mistake, product.play_and(node, event))));
+                        break;
+                    }
+                }
+                machine.keep_up(&product.playout);
+                let (_, control) = product.nodes.get(node);
+                if let Err(fault) = steps(machine, control, &moves, &mut found) {
+                    let (event, reason) = fault.reason(machine, control, &product.playout);
+                    let play = product.play_and(node, event);
+                    end = Some((node, VerifyError::Refuted(Refutation { reason, play, cycle: Vec::new() })));
+                    break;
+                }
+                again.add(&product.nodes, &moves, &found);
+            }
+            if narrow.is_empty() {
+                return (filled, end);
+            }
+            product.nodes.widen(&narrow);
+        }
+    }
+
+    /// Numbers what was found and adds it to the graph, up to a node.
+    fn merge(&mut self, blocks: &[Block], again: &Block, end: Option<u32>) -> Result<(), VerifyError> {
+        let words = self.product.nodes.words();
+        let mut of_again = Reader::new(again, words);
+        for block in blocks {
+            let mut of_block = Reader::new(block, words);
+            while let Some((head, edges)) = of_block.node() {
+                let Graph { open, target, .. } = &self.product.graph;
+                if self.product.nodes.len() > self.most_nodes || target.len() > MOST_EDGES {
+                    return Err(VerifyError::TooLarge(self.most_nodes));
+                }
+                if end == Some(open.len() as u32) {
+                    return Ok(());
+                }
+                if head.again {
+                    if let Some((head, edges)) = of_again.node() {
+                        self.add(head, edges, &mut of_again);
+                    }
+                } else {
+                    self.add(head, edges, &mut of_block);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, head: Head, edges: &[Found], reader: &mut Reader<'_>) {
+        let Product { nodes, graph, .. } = &mut self.product;
+        for edge in edges {
+            let target = match reader.target(edge) {
+                Target::Known(node) => node,
+                Target::New(hash, row) => nodes.intern(hash, row),
+            };
+            graph.add_edge(edge.event, edge.discharged, target);
+        }
+        let open =
+            if head.open == UNKNOWN_SET { nodes.open_keys(graph.nodes() as u32) } else { head.open };
+        graph.add_node(open, head.rest);
+    }
+}
+
 /// Every command of a super step must have a code at the component that receives it.
 fn check_components(spec: &Spec, controller: &Controller) -> Result<(), VerifyError> {
     let is_controllable = |name: &str| {

@@ -1,0 +1,92 @@
+//! Work that several threads share.
+
+use std::num::NonZeroUsize;
+use std::ops::Range;
+use std::thread;
+
+/// Cuts a range into consecutive parts of about one size and calls `work` with each, on a thread of its own. Each part has
+/// a place for its results; places are made as needed, and keep what they held. Returns the number of parts.
+///
+/// There are at most `threads` parts, or as many as the machine runs threads at once if that is 0, and none that is
+/// smaller than `least`, unless it is the only one.
+pub(crate) fn share<T: Default + Send>(
+    places: &mut Vec<T>,
+    range: Range<u32>,
+    least: usize,
+    threads: usize,
+    work: impl Fn(&mut T, Range<u32>) + Sync,
+) -> usize {
+    let parts = match (range.len() / least.max(1)).max(1) {
+        // Asking the system takes longer than many a specification.
+        1 => 1,
+        most if threads == 0 => most.min(thread::available_parallelism().map_or(1, NonZeroUsize::get)),
+        most => most.min(threads),
+    };
+    places.resize_with(places.len().max(parts), T::default);
+    let size = range.len().div_ceil(parts) as u32;
+    let part = |index: usize| {
+        let start = (range.start + size * index as u32).min(range.end);
+        start..(start + size).min(range.end)
+    };
+    let (first, others) = places[..parts].split_at_mut(1);
+    if others.is_empty() {
+        work(&mut first[0], range);
+        return 1;
+    }
+    let work = &work;
+    thread::scope(|scope| {
+        for (index, place) in others.iter_mut().enumerate() {
+            let part = part(index + 1);
+            scope.spawn(move || work(place, part));
+        }
+        work(&mut first[0], part(0));
+    });
+    parts
+}
+
+/// The first item of which `find` finds something, with its index; whoever finds it, the result is that of asking item by
+/// item. `least` and `threads` as for [`share`].
+pub(crate) fn find_first<T: Sync, R: Send>(
+    items: &[T],
+    least: usize,
+    threads: usize,
+    find: impl Fn(&T) -> Option<R> + Sync,
+) -> Option<(usize, R)> {
+    let mut places: Vec<Option<(usize, R)>> = Vec::new();
+    share(&mut places, 0..items.len() as u32, least, threads, |place, part| {
+        let mut indices = part.map(|index| index as usize);
+        *place = indices.find_map(|index| Some((index, find(&items[index])?)));
+    });
+    places.into_iter().flatten().next()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(range: Range<u32>, least: usize, threads: usize, expect: &[Range<u32>]) {
+        let mut places: Vec<Option<Range<u32>>> = Vec::new();
+        let parts = share(&mut places, range, least, threads, |place, part| *place = Some(part));
+        let found: Vec<_> = places.into_iter().take(parts).flatten().collect();
+        assert_eq!(found, expect);
+    }
+
+    #[test]
+    fn parts_are_large_enough_and_follow_each_other() {
+        check(3..13, 5, 1, &[3..13]);
+        check(3..13, 5, 8, &[3..8, 8..13]);
+        check(3..13, 6, 8, &[3..13]);
+        check(0..10, 1, 3, &[0..4, 4..8, 8..10]);
+        check(0..9, 1, 8, &[0..2, 2..4, 4..6, 6..8, 8..9, 9..9, 9..9, 9..9]);
+        check(7..7, 1, 4, &[7..7]);
+    }
+
+    #[test]
+    fn the_first_one_is_found_on_any_number_of_threads() {
+        for threads in 1..9 {
+            let find = |wanted| find_first(&[4, 7, 7, 1, 9], 1, threads, |&item| (item == wanted).then_some(item));
+            assert_eq!([7, 9, 4, 2].map(find), [Some((1, 7)), Some((4, 9)), Some((0, 4)), None]);
+        }
+    }
+}

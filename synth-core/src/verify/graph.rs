@@ -1,0 +1,97 @@
+//! The product as a graph: what cycles are judged by, in flat arrays.
+
+use crate::game::YIELD;
+use crate::playout::EventId;
+use crate::successors::{SetId, reserve};
+use std::ops::Range;
+
+/// Nodes by numbers in the order of discovery, the initial one first, with the edges that leave them.
+#[derive(Debug)]
+pub(super) struct Graph {
+    /// Per node: the keys that are open.
+    pub(super) open: Vec<SetId>,
+    /// Per node: whose turn it is, and whether nothing may happen.
+    pub(super) rest: Vec<Rest>,
+    /// Offsets into the edges, one more than there are nodes.
+    first: Vec<u32>,
+    /// Per edge: where it leads.
+    pub(super) target: Vec<u32>,
+    /// Per edge: its event or [`YIELD`].
+    event: Vec<EventId>,
+    /// Per edge: the keys that it discharges.
+    pub(super) discharged: Vec<SetId>,
+}
+
+/// What can happen in a node beside its edges.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Rest {
+    /// The environment has the turn.
+    pub(super) environment: bool,
+    /// It may stay silent.
+    pub(super) silent: bool,
+}
+
+const NONE: u32 = u32::MAX;
+
+impl Graph {
+    pub(super) fn new() -> Self {
+        let (open, rest, target, event, discharged) = Default::default();
+        Graph { open, rest, first: vec![0], target, event, discharged }
+    }
+
+    /// The number of nodes whose edges are known.
+    pub(super) fn nodes(&self) -> usize {
+        self.open.len()
+    }
+
+    /// The next node; its edges have been added.
+    pub(super) fn add_node(&mut self, open: SetId, rest: Rest) {
+        push(&mut self.open, open);
+        push(&mut self.rest, rest);
+        push(&mut self.first, self.target.len() as u32);
+    }
+
+    /// An edge of the next node.
+    pub(super) fn add_edge(&mut self, event: EventId, discharged: SetId, target: u32) {
+        push(&mut self.target, target);
+        push(&mut self.event, event);
+        push(&mut self.discharged, discharged);
+    }
+
+    /// The edges that leave a node.
+    pub(super) fn edges_of(&self, node: u32) -> Range<u32> {
+        self.first[node as usize]..self.first[node as usize + 1]
+    }
+
+    /// The event of an edge, none for a yield.
+    pub(super) fn event(&self, edge: u32) -> Option<EventId> {
+        Some(self.event[edge as usize]).filter(|&event| event != YIELD)
+    }
+
+    /// The edges of a shortest play into a node: those by which nodes were discovered.
+    pub(super) fn play(&self, node: u32) -> Vec<u32> {
+        let mut came = vec![(NONE, NONE); node as usize + 1];
+        for source in 0..self.nodes() as u32 {
+            for edge in self.edges_of(source) {
+                let target = self.target[edge as usize];
+                if target != 0 && target <= node && came[target as usize].1 == NONE {
+                    came[target as usize] = (source, edge);
+                }
+            }
+        }
+        let mut play = Vec::new();
+        let mut here = node;
+        while here != 0 {
+            let (source, edge) = came[here as usize];
+            play.push(edge);
+            here = source;
+        }
+        play.reverse();
+        play
+    }
+}
+
+fn push<T>(values: &mut Vec<T>, value: T) {
+    reserve(values, 1);
+    values.push(value);
+}
