@@ -85,7 +85,8 @@ mod tests {
     #[test]
     fn the_first_one_is_found_on_any_number_of_threads() {
         for threads in 1..9 {
-            let find = |wanted| find_first(&[4, 7, 7, 1, 9], 1, threads, |&item| (item == wanted).then_some(item));
+            let find =
+                |wanted| find_first(&[4, 7, 7, 1, 9], 1, threads, |&item| (item == wanted).then_some(item));
             assert_eq!([7, 9, 4, 2].map(find), [Some((1, 7)), Some((4, 9)), Some((0, 4)), None]);
         }
     }

@@ -1,6 +1,7 @@
 //! The verifier refuses what it must: every change of one table entry is caught, or the naive implementation agrees
 //! that the changed controller still wins. And controllers that pass win, by the naive word too.
 
+use sml_tests::families::arbiter::arbiter;
 use sml_tests::random::{Options as RandomOptions, Random, specification};
 use sml_tests::{corpus, fast, naive};
 use synth_core::controller::{Controller, Level};
@@ -24,8 +25,12 @@ fn unminimized(most: usize) -> Options {
     Options { level: Level::None, ..fast::options(false, most) }
 }
 
+fn verified(spec: &Spec, controller: &Controller, threads: usize) -> Result<usize, VerifyError> {
+    verify(spec, Options::default().semantics, controller, 100_000, threads)
+}
+
 fn refutation(spec: &Spec, controller: &Controller) -> Option<Refutation> {
-    match verify(spec, Options::default().semantics, controller, 100_000, 1) {
+    match verified(spec, controller, 1) {
         Ok(_) => None,
         Err(VerifyError::Refuted(refutation)) => Some(refutation),
         Err(other) => panic!("{other:?}"),
@@ -107,6 +112,52 @@ fn elsewhere_the_naive_implementation_judges_survivors() {
         });
     }
     assert!(caught > 300, "{caught} caught, {survivors} still win");
+}
+
+/// The controller with one row, super step or command damaged.
+fn damaged(original: &Controller, random: &mut Random) -> Controller {
+    let mut controller = original.clone();
+    let state = random.below(original.states as usize) as u32;
+    if random.chance(50) {
+        let event = random.below(controller.environment.len());
+        let rows = &mut controller.environment[event];
+        let row = random.below(rows.len());
+        rows[row].1 = state;
+    } else {
+        let row = random.below(controller.super_steps.len());
+        match random.below(3) {
+            0 => controller.super_steps[row].target = state,
+            1 => drop(controller.super_steps.remove(row)),
+            _ => {
+                let command = random.below(controller.commands.len()) as u32;
+                controller.super_steps[row].events[0] = command;
+            }
+        }
+    }
+    controller
+}
+
+/// The batches of nodes are large enough for several threads here, and so are the searches for cycles.
+#[test]
+fn threads_find_the_same_first_fault() {
+    let spec = fast::resolved(&arbiter(9)).expect("it is right");
+    let original = controller(&spec, &fast::options(false, 20_000)).expect("it is realizable");
+    assert!(original.states > 2000, "{}", original.states);
+    let random = &mut Random::new(3);
+    let (mut plays, mut cycles) = (0, 0);
+    for controller in (0..16).map(|_| damaged(&original, random)).chain([original.clone()]) {
+        let one = verified(&spec, &controller, 1);
+        for threads in [2, 8] {
+            assert_eq!(verified(&spec, &controller, threads), one, "{threads} threads");
+        }
+        match one {
+            Err(VerifyError::Refuted(found)) if found.reason.contains("is never met") => cycles += 1,
+            Err(VerifyError::Refuted(_)) => plays += 1,
+            other => assert!(controller == original || other.is_ok(), "{other:?}"),
+        }
+    }
+    assert!(verified(&spec, &original, 8).is_ok());
+    assert!(plays > 2 && cycles > 2, "{plays} plays, {cycles} cycles");
 }
 
 #[test]

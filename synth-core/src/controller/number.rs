@@ -3,9 +3,11 @@
 //! A strategy may call its states as it likes. States that accept the same events, or issue the same commands, get
 //! neighbouring numbers here; so most tables become a few *runs* of consecutive states (see [`super::runs`]).
 
-use std::cmp::Ordering;
-
 use super::Controller;
+use super::partition::bucket;
+use hashbrown::HashMap;
+use rustc_hash::FxBuildHasher;
+use std::cmp::Ordering;
 
 /// The same controller with other numbers; the initial state is 0.
 ///
@@ -15,37 +17,59 @@ use super::Controller;
 /// are in the order of their commands. Among equals the former order stays.
 #[must_use]
 pub fn number(controller: Controller) -> Controller {
-    let order = order(&controller);
+    let rows = Rows::of(&controller);
+    let order = order(&controller, &rows);
     let mut number = vec![0; order.len()];
     for (new, &old) in (0..).zip(&order) {
         number[old as usize] = new;
     }
-    renamed(controller, &order, &number)
+    renamed(controller, &rows, &order, &number)
 }
 
 /// The states in their new order.
-fn order(controller: &Controller) -> Vec<u32> {
-    let initial = controller.initial;
-    let accepted = Accepted::of(controller);
-    let commands = Commands::of(controller);
-    let is_step = |state: u32| commands.of_state(state).is_some();
-    let compare = |a: u32, b: u32| match (commands.of_state(a), commands.of_state(b)) {
-        (None, None) => gray(accepted.of_state(a), accepted.of_state(b)),
-        (a, b) => a.cmp(&b),
+fn order(controller: &Controller, rows: &Rows) -> Vec<u32> {
+    let initial = controller.initial as usize;
+    let commands = commands(controller);
+    // There are few sets of events and few lists of commands: ranks are all that states are compared by.
+    let (accepted, sets) = ranks((0..controller.states).map(|state| rows.events_of(state)), gray);
+    let (commanded, lists) = ranks(commands.iter().map(|list| list.as_deref().unwrap_or(&[])), Ord::cmp);
+    let behind = if commands[initial].is_some() { (lists, 0) } else { (0, sets) };
+    let key = |state: usize| match &commands[state] {
+        None => behind.0 + accepted[state],
+        Some(_) => behind.1 + commanded[state],
     };
-    let mut order: Vec<u32> = (0..controller.states).collect();
-    order.sort_by(|&a, &b| {
-        let section = |state| is_step(state) != is_step(initial);
-        let among_equals = |state| (state != initial, state);
-        section(a)
-            .cmp(&section(b))
-            .then_with(|| compare(a, b))
-            .then_with(|| among_equals(a).cmp(&among_equals(b)))
-    });
-    let section = order.partition_point(|&state| is_step(state) == is_step(initial));
-    let start = order[..section].iter().position(|&state| state == initial).unwrap_or(0);
+    let keys: Vec<u32> = (0..commands.len()).map(key).collect();
+    let (bounds, mut order) = bucket(&keys, sets + lists);
+    let section = keys.iter().filter(|&&key| key < behind.0.max(behind.1)).count();
+    // The initial state is the first of its equals, and then of all.
+    let start = bounds[keys[initial] as usize] as usize;
+    let place = order[start..].iter().position(|&state| state as usize == initial).unwrap_or(0);
+    order[start..=start + place].rotate_right(1);
     order[..section].rotate_left(start);
     order
+}
+
+/// Per list its rank among the distinct ones, and how many these are.
+fn ranks<'l>(
+    lists: impl Iterator<Item = &'l [u32]>,
+    compare: impl Fn(&[u32], &[u32]) -> Ordering,
+) -> (Vec<u32>, u32) {
+    let mut numbers: HashMap<&[u32], u32, FxBuildHasher> = HashMap::default();
+    let mut distinct: Vec<&[u32]> = Vec::new();
+    let mut ranks: Vec<u32> = lists
+        .map(|list| {
+            *numbers.entry(list).or_insert_with(|| {
+                distinct.push(list);
+                distinct.len() as u32 - 1
+            })
+        })
+        .collect();
+    let mut sorted: Vec<u32> = (0..distinct.len() as u32).collect();
+    sorted.sort_unstable_by(|&a, &b| compare(distinct[a as usize], distinct[b as usize]));
+    let mut rank = vec![0; sorted.len()];
+    (0..).zip(&sorted).for_each(|(place, &number)| rank[number as usize] = place);
+    ranks.iter_mut().for_each(|number| *number = rank[*number as usize]);
+    (ranks, sorted.len() as u32)
 }
 
 /// Compares two sets, as ascending lists, by their places in a reflected Gray code whose leading digit is the
@@ -58,15 +82,17 @@ fn gray(a: &[u32], b: &[u32]) -> Ordering {
     if shared % 2 == 0 { order } else { order.reverse() }
 }
 
-/// Per state the events that it accepts, ascending.
-struct Accepted {
-    /// Per state where its events begin; one more entry ends the last.
+/// The environment's rows by states.
+struct Rows {
+    /// Per state where its rows begin; one more entry ends the last.
     start: Vec<u32>,
+    /// The events of the rows, ascending for each state, and where they lead.
     events: Vec<u32>,
+    targets: Vec<u32>,
 }
 
-impl Accepted {
-    fn of(controller: &Controller) -> Accepted {
+impl Rows {
+    fn of(controller: &Controller) -> Rows {
         let mut start = vec![0; controller.states as usize + 1];
         for (source, _) in controller.environment.iter().flatten() {
             start[*source as usize + 1] += 1;
@@ -76,57 +102,53 @@ impl Accepted {
         }
         let mut next = start.clone();
         let mut events = vec![0; start.last().copied().unwrap_or(0) as usize];
+        let mut targets = events.clone();
         for (event, rows) in (0..).zip(&controller.environment) {
-            for &(source, _) in rows {
+            for &(source, target) in rows {
                 let place = &mut next[source as usize];
                 events[*place as usize] = event;
+                targets[*place as usize] = target;
                 *place += 1;
             }
         }
-        Accepted { start, events }
+        Rows { start, events, targets }
     }
 
-    fn of_state(&self, state: u32) -> &[u32] {
-        let state = state as usize;
-        &self.events[self.start[state] as usize..self.start[state + 1] as usize]
+    fn of_state(&self, state: u32) -> std::ops::Range<usize> {
+        self.start[state as usize] as usize..self.start[state as usize + 1] as usize
+    }
+
+    fn events_of(&self, state: u32) -> &[u32] {
+        &self.events[self.of_state(state)]
     }
 }
 
 /// Per state with a super step what it tells components, ascending; what controllable objects tell each other is in no
 /// table.
-struct Commands {
-    of_state: Vec<Option<Vec<u32>>>,
-}
-
-impl Commands {
-    fn of(controller: &Controller) -> Commands {
-        let mut commanded = vec![false; controller.commands.len()];
-        for &command in controller.components.iter().flat_map(|component| &component.commands) {
-            commanded[command as usize] = true;
-        }
-        let mut of_state = vec![None; controller.states as usize];
-        for step in &controller.super_steps {
-            let commands = step.events.iter().copied().filter(|&event| commanded[event as usize]);
-            let mut commands: Vec<u32> = commands.collect();
-            commands.sort_unstable();
-            of_state[step.source as usize] = Some(commands);
-        }
-        Commands { of_state }
+fn commands(controller: &Controller) -> Vec<Option<Vec<u32>>> {
+    let mut commanded = vec![false; controller.commands.len()];
+    for &command in controller.components.iter().flat_map(|component| &component.commands) {
+        commanded[command as usize] = true;
     }
-
-    fn of_state(&self, state: u32) -> Option<&[u32]> {
-        self.of_state[state as usize].as_deref()
+    let mut of_state = vec![None; controller.states as usize];
+    for step in &controller.super_steps {
+        let commands = step.events.iter().copied().filter(|&event| commanded[event as usize]);
+        let mut commands: Vec<u32> = commands.collect();
+        commands.sort_unstable();
+        of_state[step.source as usize] = Some(commands);
     }
+    of_state
 }
 
 /// Gives every state its new number; `order` is the inverse of `number`.
-fn renamed(mut controller: Controller, order: &[u32], number: &[u32]) -> Controller {
+fn renamed(mut controller: Controller, rows: &Rows, order: &[u32], number: &[u32]) -> Controller {
     controller.initial = number[controller.initial as usize];
-    for rows in &mut controller.environment {
-        for (source, target) in rows.iter_mut() {
-            (*source, *target) = (number[*source as usize], number[*target as usize]);
+    controller.environment.iter_mut().for_each(Vec::clear);
+    for (new, &old) in (0..).zip(order) {
+        let places = rows.of_state(old);
+        for (&event, &target) in rows.events[places.clone()].iter().zip(&rows.targets[places]) {
+            controller.environment[event as usize].push((new, number[target as usize]));
         }
-        rows.sort_unstable();
     }
     for step in &mut controller.super_steps {
         (step.source, step.target) = (number[step.source as usize], number[step.target as usize]);

@@ -29,8 +29,8 @@ impl Error for EndlessSuperStep {}
 /// of yields alone vanishes. States are numbered breadth first from the initial one, which is 0, successors in table
 /// order.
 ///
-/// Events, components and codes come from the whole of `game`, so they do not depend on the strategy. `owed` says
-/// which events (ids of `alphabet`) assumptions promise in a state of the game; what is no environment event of the
+/// Events, components and codes come from the whole of `game`, so they do not depend on the strategy. `owed` puts into an empty
+/// list which events (ids of `alphabet`) assumptions promise in a state of the game; what is no environment event of the
 /// game is passed over.
 ///
 /// # Errors
@@ -40,7 +40,7 @@ pub fn merge(
     game: &Game,
     strategy: &Strategy,
     alphabet: &Alphabet,
-    owed: &mut dyn FnMut(u32) -> Vec<u32>,
+    owed: &mut dyn FnMut(u32, &mut Vec<u32>),
 ) -> Result<Controller, EndlessSuperStep> {
     let vocabulary = Vocabulary::new(game, alphabet);
     let mut walk = Walk::new(game, strategy);
@@ -48,6 +48,7 @@ pub fn merge(
     let mut environment = vec![Vec::new(); vocabulary.events.len()];
     let mut super_steps = Vec::new();
     let mut owed_per_state = Vec::new();
+    let mut promised = Vec::new();
     if let Some(node) = strategy.endless_run(game) {
         return Err(EndlessSuperStep { node });
     }
@@ -64,7 +65,9 @@ pub fn merge(
                 environment[event as usize].push((source, target));
             }
         }
-        owed_per_state.push(vocabulary.promised(alphabet, &owed(strategy.state[node as usize])));
+        promised.clear();
+        owed(strategy.state[node as usize], &mut promised);
+        owed_per_state.push(vocabulary.promised(alphabet, &promised));
         source += 1;
     }
     Ok(Controller {
@@ -318,7 +321,7 @@ mod tests {
     fn merged(nodes: &[Node]) -> Controller {
         let alphabet = alphabet(nodes);
         let (game, strategy) = game_and_strategy(nodes, &alphabet);
-        merge(&game, &strategy, &alphabet, &mut |_| Vec::new()).expect("super steps end")
+        merge(&game, &strategy, &alphabet, &mut |_, _| ()).expect("super steps end")
     }
 
     #[track_caller]
@@ -438,12 +441,12 @@ mod tests {
             |text: &str| alphabet.letters.iter().position(|letter| letter.event.text == text).unwrap() as u32;
         let (game, strategy) = game_and_strategy(&nodes, &alphabet);
         let mut asked = Vec::new();
-        let controller = merge(&game, &strategy, &alphabet, &mut |state| {
+        let controller = merge(&game, &strategy, &alphabet, &mut |state, owed| {
             asked.push(state);
             match state {
-                0 => vec![id("env -> ctl.c()"), id("env -> ctl.a()"), id("ctl -> arm.go()"), 0],
-                2 => vec![id("env -> ctl.b()"), id("env -> ctl.b()")],
-                _ => vec![],
+                0 => owed.extend([id("env -> ctl.c()"), id("env -> ctl.a()"), id("ctl -> arm.go()"), 0]),
+                2 => owed.extend([id("env -> ctl.b()"), id("env -> ctl.b()")]),
+                _ => {}
             }
         })
         .expect("super steps end");
@@ -457,7 +460,7 @@ mod tests {
         let nodes = parse(input);
         let alphabet = alphabet(&nodes);
         let (game, strategy) = game_and_strategy(&nodes, &alphabet);
-        let merged = merge(&game, &strategy, &alphabet, &mut |_| Vec::new());
+        let merged = merge(&game, &strategy, &alphabet, &mut |_, _| ());
         assert_eq!(merged, Err(EndlessSuperStep { node }));
     }
 

@@ -21,8 +21,9 @@ use crate::explain::explain;
 use crate::explore::{Explored, Limits, explore};
 use crate::game::{Game, Solution, Strategy, extract, solve, solve_ending};
 use crate::model::{Spec, resolve::resolve};
-use crate::playout::{Config, Semantics};
+use crate::playout::Semantics;
 use crate::quality;
+use crate::successors::PackedMoves;
 use crate::syntax::Loaded;
 use crate::verify::{batches, verify};
 use std::rc::Rc;
@@ -181,7 +182,10 @@ pub fn synthesize(
     if options.monitor {
         return monitored(explored.playout.spec(), options, &raw, timings);
     }
+    let unminimized_states = raw.states;
     let mut controller = timings.stage("minimise", || minimize(&raw, options.level));
+    // Only scans with several events are compared later.
+    let raw = Some(raw).filter(|_| options.level == Level::Assume);
     timings.size(Size::of_controller(&controller));
     if options.level == Level::Assume {
         let refused = timings.stage("batches", || {
@@ -194,16 +198,17 @@ pub fn synthesize(
     // What is emitted is verified, so nothing that it was made of need be. The limit on states was kept by exploration; the
     // product has a node of its own for each way into a super step.
     let limits = &options.limits;
-    let verify = || verify(explored.playout.spec(), options.semantics, &controller, MOST_NODES, limits.threads);
+    let verify =
+        || verify(explored.playout.spec(), options.semantics, &controller, MOST_NODES, limits.threads);
     let product_nodes = timings.stage("verify", verify)?;
     timings.size(Size::of_nodes(product_nodes));
-    if options.level == Level::Assume {
+    if let Some(raw) = raw {
         // The product has one event at a time. With several, both do the same; where one comes at a time, what the other one
         // does has just been verified.
         let agree = || batches::agree(&mut explored.playout, &raw, &controller, most_batches(options));
         timings.stage("verify batches", agree)?;
     }
-    Ok(Verified { controller, unminimized_states: raw.states, product_nodes })
+    Ok(Verified { controller, unminimized_states, product_nodes })
 }
 
 /// The monitor of a controller that was not minimised, and is verified itself.
@@ -215,7 +220,8 @@ fn monitored(
 ) -> Result<Verified, Failure> {
     let controller = timings.stage("monitor", || number(monitor(raw)));
     timings.size(Size::of_controller(&controller));
-    let product_nodes = timings.stage("verify", || verify(spec, options.semantics, raw, MOST_NODES))?;
+    let verify = || verify(spec, options.semantics, raw, MOST_NODES, options.limits.threads);
+    let product_nodes = timings.stage("verify", verify)?;
     timings.size(Size::of_nodes(product_nodes));
     if !timings.stage("verify monitor", || monitor::agrees(&controller, raw)) {
         return Err(Failure::Inconsistent(
@@ -248,7 +254,7 @@ pub fn warnings(
         let explored = &mut solved.explored;
         // Without one there is no controlled system to speak of, and that is an error of its own.
         let alphabet = alphabet(&explored.playout);
-        let merge = || merge(&explored.game, &strategy, &alphabet, &mut |_| Vec::new());
+        let merge = || merge(&explored.game, &strategy, &alphabet, &mut |_, _| ());
         if let Ok(controller) = timings.stage("super steps", merge) {
             let controller = timings.stage("minimise", || minimize(&controller, Level::Exact));
             let of_control = || quality::of_controller(explored, &strategy, &controller, &warnings);
@@ -281,13 +287,12 @@ fn winning_strategy(game: &Game, solution: &Solution) -> Result<Strategy, Failur
 fn merged(explored: &mut Explored<'_>, strategy: &Strategy) -> Result<Controller, EndlessSuperStep> {
     let alphabet = alphabet(&explored.playout);
     let Explored { playout, store, game } = explored;
-    let mut config = Config::default();
-    merge(game, strategy, &alphabet, &mut |state| {
-        if state as usize >= store.len() {
-            return Vec::new();
+    let mut room = PackedMoves::default();
+    merge(game, strategy, &alphabet, &mut |state, owed| {
+        // The losing and the won state owe nothing.
+        if (state as usize) < store.len() {
+            store.owed(playout, state, &mut room, owed);
         }
-        store.load(playout, state, &mut config);
-        playout.owed(&config)
     })
 }
 

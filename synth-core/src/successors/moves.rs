@@ -170,6 +170,28 @@ impl Successors {
     pub(crate) fn moves(&self, row: &[u64], out: &mut PackedMoves) -> Result<(), Miss> {
         moves(&mut &*self, row, out)
     }
+
+    /// The events that [`Playout::owed`](crate::playout::Playout::owed) gives, into a cleared list; `room` is overwritten.
+    ///
+    /// # Errors
+    /// As for [`Successors::moves`].
+    pub(crate) fn owed(
+        &self,
+        row: &[u64],
+        room: &mut PackedMoves,
+        owed: &mut Vec<EventId>,
+    ) -> Result<(), Miss> {
+        room.clear(self.layout.words());
+        survey(&mut &*self, row, room)?;
+        let of_environment =
+            [class::ENVIRONMENT_COMMITTED, class::ENVIRONMENT_URGENT, class::ENVIRONMENT].map(u64::from);
+        let wishes = room.wishes.iter().filter(|wish| of_environment.contains(&(*wish >> 40)));
+        owed.clear();
+        owed.extend(wishes.map(|&wish| self.by_rank[(wish as u32 >> 1) as usize]));
+        owed.sort_unstable();
+        owed.dedup();
+        Ok(())
+    }
 }
 
 /// The leaf of a tree for the state. Most roots are leaves that stand for nothing.

@@ -96,6 +96,21 @@ impl StateStore {
         Ok(())
     }
 
+    /// What [`Playout::owed`] gives for a state that was found in this play-out, into a cleared list.
+    pub fn owed(
+        &self,
+        playout: &mut Playout<'_>,
+        state: StateId,
+        room: &mut PackedMoves,
+        owed: &mut Vec<EventId>,
+    ) {
+        if self.successors.owed(self.rows.get(state), room, owed).is_err() {
+            let mut config = Config::default();
+            self.load(playout, state, &mut config);
+            *owed = playout.owed(&config);
+        }
+    }
+
     /// How many sets of fairness keys were met so far; ids are below it.
     #[must_use]
     pub fn sets(&self) -> SetId {

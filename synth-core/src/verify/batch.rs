@@ -11,14 +11,14 @@ use super::nodes::Nodes;
 use super::rules::{Step, steps};
 use crate::parallel;
 use crate::playout::EventId;
-use crate::successors::{PackedMoves, SetId, hash_row};
+use crate::successors::{PackedMoves, SetId};
 use std::ops::Range;
 
 /// Most nodes of a batch.
 pub(super) const BATCH: usize = 1 << 14;
 
 /// Fewer nodes are not worth another thread.
-const LEAST_SHARE: usize = 512;
+const LEAST_SHARE: usize = 128;
 
 /// Stands for a node that was not known when the batch began.
 const NEW: u32 = u32::MAX;
@@ -45,8 +45,8 @@ pub(super) struct Found {
 pub(super) enum Target<'b> {
     /// To a node that was known.
     Known(u32),
-    /// To a row with this hash.
-    New(u64, &'b [u64]),
+    /// To this row.
+    New(&'b [u64]),
 }
 
 /// Consecutive nodes.
@@ -54,8 +54,7 @@ pub(super) enum Target<'b> {
 pub(super) struct Block {
     heads: Vec<Head>,
     edges: Vec<Found>,
-    /// Of the edges that lead to something new: hash and row.
-    hashes: Vec<u64>,
+    /// Of the edges that lead to something new: the rows.
     rows: Vec<u64>,
     // Room to find them.
     moves: PackedMoves,
@@ -67,7 +66,6 @@ impl Block {
     pub(super) fn clear(&mut self) {
         self.heads.clear();
         self.edges.clear();
-        self.hashes.clear();
         self.rows.clear();
     }
 
@@ -96,9 +94,7 @@ impl Block {
             self.row.clear();
             self.row.extend_from_slice(moves.target(edge));
             self.row.push(step.control.word());
-            let hash = hash_row(&self.row);
-            let target = nodes.find(hash, &self.row).unwrap_or_else(|| {
-                self.hashes.push(hash);
+            let target = nodes.find(&self.row).unwrap_or_else(|| {
                 self.rows.extend_from_slice(&self.row);
                 NEW
             });
@@ -141,7 +137,7 @@ impl<'b> Reader<'b> {
         }
         let row = &self.block.rows[self.new * self.words..(self.new + 1) * self.words];
         self.new += 1;
-        Target::New(self.block.hashes[self.new - 1], row)
+        Target::New(row)
     }
 }
 

@@ -12,24 +12,34 @@ use super::starving::{GOALS, starving};
 use super::{Refutation, VerifyError};
 use crate::parallel;
 use crate::playout::KeyId;
+use crate::successors::SetId;
 use std::collections::VecDeque;
 
 const NONE: u32 = u32::MAX;
 
 /// Nodes times goals that are worth another thread.
-const LEAST_SHARE: usize = 1 << 16;
+const LEAST_SHARE: usize = 1 << 12;
 
 /// What must not starve: a guarantee key, or, if it is none, the end of a super step.
 type Goal = Option<KeyId>;
 
 /// Checks every guarantee key and that super steps end. `threads` as in [`parallel::share`].
 pub(super) fn check(product: &Product<'_>, threads: usize) -> Result<(), VerifyError> {
-    let keys = product.open_keys();
-    let (assumptions, guarantees): (Vec<_>, Vec<_>) = keys.iter().partition(|&&key| product.is_assumed(key));
-    let assumed: Vec<Vec<bool>> = assumptions.into_iter().map(|key: KeyId| product.containing(key)).collect();
+    let sets = product.sets();
+    let keys = product.open_keys(sets);
+    let (assumptions, guarantees): (Vec<KeyId>, Vec<KeyId>) =
+        keys.iter().partition(|&&key| product.is_assumed(key));
+    let mut assumed = vec![vec![false; sets as usize]; assumptions.len()];
+    for set in 0..sets {
+        for key in product.keys(set) {
+            if let Ok(index) = assumptions.binary_search(key) {
+                assumed[index][set as usize] = true;
+            }
+        }
+    }
     let goals: Vec<Goal> = guarantees.into_iter().map(Some).chain([None]).collect();
     for goals in goals.chunks(GOALS) {
-        check_some(product, &assumed, goals, threads)?;
+        check_some(product, &assumed, sets, goals, threads)?;
     }
     Ok(())
 }
@@ -38,23 +48,16 @@ pub(super) fn check(product: &Product<'_>, threads: usize) -> Result<(), VerifyE
 fn check_some(
     product: &Product<'_>,
     assumed: &[Vec<bool>],
+    sets: SetId,
     goals: &[Goal],
     threads: usize,
 ) -> Result<(), VerifyError> {
     let graph = &product.graph;
-    let mut open = vec![0; product.sets() as usize];
-    let mut inner = 0;
-    for (bit, goal) in goals.iter().enumerate() {
-        match goal {
-            Some(key) => {
-                let containing = product.containing(*key);
-                open.iter_mut().zip(containing).for_each(|(open, is_in)| *open |= u64::from(is_in) << bit);
-            }
-            None => inner |= 1 << bit,
-        }
-    }
+    let bit = |goal: Goal| goals.iter().position(|&one| one == goal).map_or(0, |bit| 1 << bit);
+    let goals_in = |set| product.keys(set).iter().fold(0, |goals, &key| goals | bit(Some(key)));
+    let open: Vec<u64> = (0..sets).map(goals_in).collect();
     let assumes: Vec<bool> = (0..open.len()).map(|set| assumed.iter().any(|is_in| is_in[set])).collect();
-    let starving = starving(graph, &open, inner, &assumes);
+    let starving = starving(graph, &open, bit(None), &assumes);
     let any = starving.iter().fold(0, |any, goals| any | goals);
     let suspects: Vec<u32> = (0..goals.len() as u32).filter(|bit| any >> bit & 1 == 1).collect();
     let found = parallel::find_first(&suspects, LEAST_SHARE / graph.nodes().max(1), threads, |&bit| {
@@ -259,12 +262,7 @@ impl<'a> Search<'a> {
     }
 
     /// A shortest walk inside the component to a node, or over an edge, that is wanted; its edges and its end.
-    fn walk(
-        &self,
-        from: u32,
-        component: u32,
-        wanted: &dyn Fn(u32, Option<u32>) -> bool,
-    ) -> (Vec<u32>, u32) {
+    fn walk(&self, from: u32, component: u32, wanted: &dyn Fn(u32, Option<u32>) -> bool) -> (Vec<u32>, u32) {
         let mut came: Vec<(u32, u32)> = Vec::new();
         let mut queue = VecDeque::from([(from, NONE)]);
         let mut seen = std::collections::BTreeSet::from([from]);

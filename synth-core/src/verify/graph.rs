@@ -63,6 +63,27 @@ impl Graph {
         self.first[node as usize]..self.first[node as usize + 1]
     }
 
+    /// Where edges come from: offsets into the second list, one more than there are nodes, and the nodes from which edges lead
+    /// to a node.
+    pub(super) fn sources(&self) -> (Vec<u32>, Vec<u32>) {
+        // Shifted by one, so that counting up in each place makes the offsets.
+        let mut first = vec![0; self.nodes() + 2];
+        self.target.iter().for_each(|&target| first[target as usize + 2] += 1);
+        for node in 2..first.len() {
+            first[node] += first[node - 1];
+        }
+        let mut sources = vec![0; self.target.len()];
+        for node in 0..self.nodes() as u32 {
+            for edge in self.edges_of(node) {
+                let place = &mut first[self.target[edge as usize] as usize + 1];
+                sources[*place as usize] = node;
+                *place += 1;
+            }
+        }
+        first.pop();
+        (first, sources)
+    }
+
     /// The event of an edge, none for a yield.
     pub(super) fn event(&self, edge: u32) -> Option<EventId> {
         Some(self.event[edge as usize]).filter(|&event| event != YIELD)

@@ -1,7 +1,8 @@
 //! The nodes of the product found so far, packed.
 
-use crate::playout::{Config, EventId, PlayError, Playout};
-use crate::successors::{Learned, PackedMoves, PackedRows, SetId, Successors, hash_row, learn};
+use crate::intern::Rows;
+use crate::playout::{Config, EventId, KeyId, PlayError, Playout};
+use crate::successors::{Learned, PackedMoves, SetId, Successors, learn};
 
 /// Where a controller is: its state, and the next event of the super step that is due there.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -23,7 +24,7 @@ impl Control {
 /// A node's row is that of its state of the specification, with one more word for the controller.
 pub(super) struct Nodes {
     pub(super) successors: Successors,
-    rows: PackedRows,
+    rows: Rows<u64>,
 }
 
 impl Nodes {
@@ -32,8 +33,8 @@ impl Nodes {
         let mut successors = Successors::new(playout);
         let mut row = successors.pack_first(playout, config);
         row.push(control.word());
-        let mut rows = PackedRows::new(row.len());
-        rows.intern(hash_row(&row), &row);
+        let mut rows = Rows::new(row.len());
+        rows.intern(&row);
         Nodes { successors, rows }
     }
 
@@ -43,7 +44,7 @@ impl Nodes {
 
     /// Words of a row.
     pub(super) fn words(&self) -> usize {
-        self.rows.words()
+        self.rows.width()
     }
 
     /// The row of the state, and where the controller is.
@@ -53,13 +54,13 @@ impl Nodes {
     }
 
     /// The node with this row, if it is known.
-    pub(super) fn find(&self, hash: u64, row: &[u64]) -> Option<u32> {
-        self.rows.find(hash, row)
+    pub(super) fn find(&self, row: &[u64]) -> Option<u32> {
+        self.rows.find(row)
     }
 
     /// The node with this row, new or not.
-    pub(super) fn intern(&mut self, hash: u64, row: &[u64]) -> u32 {
-        self.rows.intern(hash, row)
+    pub(super) fn intern(&mut self, row: &[u64]) -> u32 {
+        self.rows.intern(row)
     }
 
     /// The moves of a node's state, asked of play-out where the tables do not give them. Values that rows have no room for are
@@ -76,7 +77,12 @@ impl Nodes {
         learn(&mut self.successors, playout, row, narrow, moves)
     }
 
-    /// The keys that are open in a node.
+    /// The keys of a set, ascending.
+    pub(super) fn keys(&self, set: SetId) -> &[KeyId] {
+        self.successors.set(set)
+    }
+
+    /// The set of the keys that are open in a node.
     pub(super) fn open_keys(&mut self, node: u32) -> SetId {
         let words = self.words();
         self.successors.open_set(&self.rows.get(node)[..words - 1])
@@ -86,7 +92,7 @@ impl Nodes {
     pub(super) fn widen(&mut self, narrow: &[(u32, u32)]) {
         let old = self.successors.layout().clone();
         let layout = self.successors.widened(narrow);
-        let mut rows = PackedRows::new(layout.words() + 1);
+        let mut rows = Rows::new(layout.words() + 1);
         let mut row = Vec::new();
         for node in 0..self.len() as u32 {
             let (state, control) = self.get(node);
@@ -94,7 +100,7 @@ impl Nodes {
             row.resize(layout.words(), 0);
             layout.convert(&old, state, &mut row);
             row.push(control.word());
-            rows.intern(hash_row(&row), &row);
+            rows.intern(&row);
         }
         self.rows = rows;
         self.successors.set_layout(layout);

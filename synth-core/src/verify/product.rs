@@ -55,9 +55,9 @@ impl<'s> Product<'s> {
         open.iter().chain(discharged).max().map_or(0, |set| set + 1)
     }
 
-    /// Per set of keys: whether this one is in it.
-    pub(super) fn containing(&self, key: KeyId) -> Vec<bool> {
-        (0..self.sets()).map(|set| self.nodes.successors.set(set).binary_search(&key).is_ok()).collect()
+    /// The keys of a set, ascending.
+    pub(super) fn keys(&self, set: SetId) -> &[KeyId] {
+        self.nodes.keys(set)
     }
 
     /// Texts of a shortest play into a node.
@@ -86,13 +86,13 @@ impl<'s> Product<'s> {
         self.playout.spec().scenarios[self.playout.key(key).scenario].kind == Kind::Assumption
     }
 
-    /// The keys that are open in some node, ascending.
-    pub(super) fn open_keys(&self) -> Vec<KeyId> {
-        let mut used = vec![false; self.sets() as usize];
+    /// The keys that are open in some node, ascending; there are so many sets of them.
+    pub(super) fn open_keys(&self, sets: SetId) -> Vec<KeyId> {
+        let mut used = vec![false; sets as usize];
         self.graph.open.iter().for_each(|&set| used[set as usize] = true);
-        let used = (0..self.sets()).filter(|&set| used[set as usize]);
+        let used = (0..sets).filter(|&set| used[set as usize]);
         let mut is_open = vec![false; self.playout.key_count()];
-        used.flat_map(|set| self.nodes.successors.set(set)).for_each(|&key| is_open[key as usize] = true);
+        used.flat_map(|set| self.keys(set)).for_each(|&key| is_open[key as usize] = true);
         (0..).zip(is_open).filter_map(|(key, is_open)| is_open.then_some(key)).collect()
     }
 
@@ -197,12 +197,11 @@ impl<'s> Explorer<'_, 's> {
         for edge in edges {
             let target = match reader.target(edge) {
                 Target::Known(node) => node,
-                Target::New(hash, row) => nodes.intern(hash, row),
+                Target::New(row) => nodes.intern(row),
             };
             graph.add_edge(edge.event, edge.discharged, target);
         }
-        let open =
-            if head.open == UNKNOWN_SET { nodes.open_keys(graph.nodes() as u32) } else { head.open };
+        let open = if head.open == UNKNOWN_SET { nodes.open_keys(graph.nodes() as u32) } else { head.open };
         graph.add_node(open, head.rest);
     }
 }

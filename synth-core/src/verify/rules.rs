@@ -54,8 +54,7 @@ impl Fault {
                 (None, format!("the controller sends `{text}`, which is not allowed here"))
             }
             Fault::Waits => {
-                let reason =
-                    "the controller sends nothing where it must send a committed or urgent message";
+                let reason = "the controller sends nothing where it must send a committed or urgent message";
                 (None, reason.to_owned())
             }
             Fault::Lost(event) => (Some(event), "the environment violates a guarantee".to_owned()),

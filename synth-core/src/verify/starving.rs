@@ -4,7 +4,8 @@
 //! none goes on are struck out until nothing changes. That keeps every cycle on which the goal starves, fair or not, and what
 //! leads there; a good controller seldom leaves more than cycles on which some assumption starves, too.
 
-use super::graph::Graph;
+use super::graph::{Graph, Rest};
+use crate::successors::SetId;
 
 /// Goals that are looked at together.
 pub(super) const GOALS: usize = u64::BITS as usize;
@@ -14,35 +15,38 @@ pub(super) const GOALS: usize = u64::BITS as usize;
 /// `open` says per set of keys which goals are in it. The goals of `inner` are open in the system's turn instead, and nothing
 /// discharges them. `assumes` says per set whether an assumption is in it, so that to stay in silence is not fair.
 pub(super) fn starving(graph: &Graph, open: &[u64], inner: u64, assumes: &[bool]) -> Vec<u64> {
-    let mut starving: Vec<u64> = Vec::with_capacity(graph.nodes());
-    // Most successors have higher numbers.
-    let mut left: Vec<u32> = Vec::new();
-    for (node, (&set, rest)) in (0..).zip(graph.open.iter().zip(&graph.rest)) {
-        let goals = open[set as usize] | if rest.environment { 0 } else { inner };
-        starving.push(goals);
-        if goals != 0 && (!rest.silent || assumes[set as usize]) {
-            left.push(node);
+    let nodes = || graph.open.iter().zip(&graph.rest);
+    let opens = |(&set, rest): (&SetId, &Rest)| open[set as usize] | if rest.environment { 0 } else { inner };
+    let mut starving: Vec<u64> = nodes().map(opens).collect();
+    let goes_on = |(&set, rest): (&SetId, &Rest)| !rest.silent || assumes[set as usize];
+    // Whether a node must be looked at; those that may stay in silence never lose anything.
+    let mut waits: Vec<bool> = nodes().map(goes_on).collect();
+    let may_lose = waits.clone();
+    let mut waiting: Vec<u32> = (0..graph.nodes() as u32).filter(|&node| waits[node as usize]).collect();
+    let (first, sources) = graph.sources();
+    // Most successors have higher numbers, and come first.
+    while let Some(node) = waiting.pop() {
+        let index = node as usize;
+        waits[index] = false;
+        let before = starving[index];
+        let mut after = 0;
+        for edge in graph.edges_of(node) {
+            if after == before {
+                break;
+            }
+            let discharged = open[graph.discharged[edge as usize] as usize];
+            after |= before & starving[graph.target[edge as usize] as usize] & !discharged;
         }
-    }
-    left.reverse();
-    loop {
-        let mut changed = false;
-        left.retain(|&node| {
-            let before = starving[node as usize];
-            let mut after = 0;
-            for edge in graph.edges_of(node) {
-                let discharged = open[graph.discharged[edge as usize] as usize];
-                after |= before & starving[graph.target[edge as usize] as usize] & !discharged;
-                if after == before {
-                    return true;
+        if after != before {
+            starving[index] = after;
+            for &source in &sources[first[index] as usize..first[index + 1] as usize] {
+                let index = source as usize;
+                if starving[index] & before & !after != 0 && may_lose[index] && !waits[index] {
+                    waits[index] = true;
+                    waiting.push(source);
                 }
             }
-            starving[node as usize] = after;
-            changed = true;
-            after != 0
-        });
-        if !changed {
-            return starving;
         }
     }
+    starving
 }
