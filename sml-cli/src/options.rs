@@ -37,7 +37,7 @@ pub(crate) struct Common {
     /// quarters of the memory that is free at the start, where the system says how much that is
     #[arg(long, global = true, value_name = "BYTES", value_parser = bytes)]
     max_memory: Option<usize>,
-    /// Number of threads that explore; by default as many as the machine runs at once. No result depends on it
+    /// Number of threads that explore and verify; by default as many as the machine runs at once. No result depends on it
     #[arg(long, global = true, value_name = "N")]
     threads: Option<NonZeroUsize>,
     /// Print time and size of every stage to stderr

@@ -6,9 +6,10 @@
 //! have filled.
 //!
 //! A node of the product is a state of the specification, a state of the controller, and how far a super step has
-//! come. `shape` asks whether it is a controller at all. `product` looks for what must never happen: an event of the environment that the controller refuses or
-//! that violates a guarantee, a command that is not allowed, a super step that ends too early. `fairness` looks
-//! for a cycle on which every assumption is kept and some guarantee starves.
+//! come. `shape` asks whether it is a controller at all. `product` goes through all nodes, and `rules` looks in each for what
+//! must never happen: an event of the environment that the controller refuses or that violates a guarantee, a command that is
+//! not allowed, a super step that ends too early. `fairness` looks for a cycle on which every assumption is kept and some
+//! guarantee starves.
 
 mod batch;
 pub mod batches;
@@ -50,10 +51,12 @@ pub enum VerifyError {
 
 /// Explores the product of `controller` and `spec`.
 ///
-/// Returns the number of its nodes.
+/// Returns the number of its nodes. It runs on at most `threads` threads, or on as many as the machine runs at once if that
+/// is 0; the result does not depend on it.
 ///
 /// # Errors
-/// See [`VerifyError`]; a product of more than `most_nodes` nodes is given up.
+/// See [`VerifyError`]; a product of more than `most_nodes` nodes is given up. Of several faults the one with the shortest
+/// play is told.
 pub fn verify(
     spec: &Spec,
     semantics: Semantics,

@@ -50,3 +50,46 @@ pub(super) fn starving(graph: &Graph, open: &[u64], inner: u64, assumes: &[bool]
     }
     starving
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::collection::vec;
+    use proptest::prelude::{any, prop_assert_eq, proptest};
+
+    proptest! {
+        /// A goal starves from a node on if a walk there has as many steps as there are nodes, or ends where it may rest.
+        #[test]
+        fn what_starves_has_long_walks(
+            nodes in vec((0..4u32, any::<bool>(), any::<bool>(), vec((0..4u32, 0..12u32), 0..4)), 1..12),
+            open in vec(0..8u64, 4),
+            assumes in vec(any::<bool>(), 4),
+        ) {
+            const INNER: u64 = 8;
+            let mut graph = Graph::new();
+            for (set, environment, silent, edges) in &nodes {
+                for &(discharged, target) in edges {
+                    graph.add_edge(0, discharged, target % nodes.len() as u32);
+                }
+                graph.add_node(*set, Rest { environment: *environment, silent: *silent });
+            }
+            let start = |node: usize| {
+                open[graph.open[node] as usize] | if graph.rest[node].environment { 0 } else { INNER }
+            };
+            let all = 0..nodes.len();
+            let mut walks: Vec<u64> = all.clone().map(start).collect();
+            for _ in all.clone() {
+                let longer = |node: usize| {
+                    let rests = graph.rest[node].silent && !assumes[graph.open[node] as usize];
+                    let edges = graph.edges_of(node as u32).map(|edge| edge as usize);
+                    let on = edges.fold(0, |on, edge| {
+                        on | walks[graph.target[edge] as usize] & !open[graph.discharged[edge] as usize]
+                    });
+                    start(node) & if rests { u64::MAX } else { on }
+                };
+                walks = all.clone().map(longer).collect();
+            }
+            prop_assert_eq!(starving(&graph, &open, INNER, &assumes), walks);
+        }
+    }
+}
