@@ -65,21 +65,23 @@ mod tests {
     use super::*;
 
     #[track_caller]
-    fn check(range: Range<u32>, least: usize, threads: usize, expect: &[Range<u32>]) {
-        let mut places: Vec<Option<Range<u32>>> = Vec::new();
-        let parts = share(&mut places, range, least, threads, |place, part| *place = Some(part));
+    fn check(range: Range<u32>, least: usize, threads: usize, expect: &[(u32, u32)]) {
+        let mut places: Vec<Option<(u32, u32)>> = Vec::new();
+        let parts = share(&mut places, range, least, threads, |place, part| {
+            *place = Some((part.start, part.end));
+        });
         let found: Vec<_> = places.into_iter().take(parts).flatten().collect();
         assert_eq!(found, expect);
     }
 
     #[test]
     fn parts_are_large_enough_and_follow_each_other() {
-        check(3..13, 5, 1, &[3..13]);
-        check(3..13, 5, 8, &[3..8, 8..13]);
-        check(3..13, 6, 8, &[3..13]);
-        check(0..10, 1, 3, &[0..4, 4..8, 8..10]);
-        check(0..9, 1, 8, &[0..2, 2..4, 4..6, 6..8, 8..9, 9..9, 9..9, 9..9]);
-        check(7..7, 1, 4, &[7..7]);
+        check(3..13, 5, 1, &[(3, 13)]);
+        check(3..13, 5, 8, &[(3, 8), (8, 13)]);
+        check(3..13, 6, 8, &[(3, 13)]);
+        check(0..10, 1, 3, &[(0, 4), (4, 8), (8, 10)]);
+        check(0..9, 1, 8, &[(0, 2), (2, 4), (4, 6), (6, 8), (8, 9), (9, 9), (9, 9), (9, 9)]);
+        check(7..7, 1, 4, &[(7, 7)]);
     }
 
     #[test]
