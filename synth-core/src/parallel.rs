@@ -25,8 +25,9 @@ pub(crate) fn share<T: Default + Send>(
     places.resize_with(places.len().max(parts), T::default);
     let size = range.len().div_ceil(parts) as u32;
     let part = |index: usize| {
-        let start = (range.start + size * index as u32).min(range.end);
-        start..(start + size).min(range.end)
+        let bound =
+            |index: usize| range.start.saturating_add(size.saturating_mul(index as u32)).min(range.end);
+        bound(index)..bound(index + 1)
     };
     let (first, others) = places[..parts].split_at_mut(1);
     if others.is_empty() {
