@@ -53,14 +53,15 @@ fn same(
 ) -> Result<(), String> {
     let mut open = Vec::new();
     playout.open_keys(config, &mut open);
-    if (moves.turn, moves.silent, &*open) != (packed.turn, packed.silent, store.keys(packed.open)) {
+    let keys = |set| store.keys(set).collect::<Vec<_>>();
+    if (moves.turn, moves.silent, &open) != (packed.turn, packed.silent, &keys(packed.open)) {
         return Err(format!(
             "{:?} {} {open:?}, but packed {:?} {} {:?}",
             moves.turn,
             moves.silent,
             packed.turn,
             packed.silent,
-            store.keys(packed.open)
+            keys(packed.open)
         ));
     }
     if moves.moves.len() != packed.edges().len() {
@@ -70,7 +71,7 @@ fn same(
     for (one, edge) in moves.moves.iter().zip(packed.edges()) {
         let is_same = (one.event.unwrap_or(YIELD), one.end, one.completed)
             == (edge.event, edge.end, edge.completed)
-            && one.discharged == store.keys(edge.discharged);
+            && store.keys(edge.discharged).eq(one.discharged.iter().copied());
         if one.end.is_none() {
             let id = store.intern(packed.target(edge));
             store.load(playout, id, &mut target);

@@ -5,9 +5,9 @@
 //! Both are seen to afterwards, in the order of the states, so that all numbers are those of a search that takes one state
 //! after the other.
 
-use crate::game::Turn;
+use crate::game::{KeySetsBuilder, Turn};
 use crate::playout::EventId;
-use crate::successors::{PackedMoves, SetId, StateId, StateStore, hash_row};
+use crate::successors::{PackedMoves, SetId, StateId, StateStore, UNKNOWN_SET, hash_row};
 use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::thread;
@@ -29,6 +29,7 @@ pub(super) struct Head {
     pub(super) silent: bool,
     /// The tables do not give its moves.
     pub(super) missed: bool,
+    /// The game's set of open keys, or [`UNKNOWN_SET`] if it had none like this when the batch began.
     pub(super) open: SetId,
     edges: u32,
 }
@@ -69,14 +70,15 @@ impl Block {
         self.rows.clear();
     }
 
-    fn fill(&mut self, store: &StateStore, states: Range<StateId>) {
+    fn fill(&mut self, store: &StateStore, sets: &KeySetsBuilder, states: Range<StateId>) {
         self.clear();
         let mut moves = std::mem::take(&mut self.moves);
+        let mut row = Vec::new();
         for state in states {
-            if store.successors.moves(store.rows.get(state), &mut moves).is_ok() {
-                self.add(store, &moves);
+            if store.successors.moves_and_keys(store.rows.get(state, &mut row), &mut moves).is_ok() {
+                self.add(store, sets, &moves);
             } else {
-                let (turn, open) = (Turn::EnvironmentAny, 0);
+                let (turn, open) = (Turn::EnvironmentAny, UNKNOWN_SET);
                 self.heads.push(Head { turn, silent: false, missed: true, open, edges: 0 });
             }
         }
@@ -84,8 +86,9 @@ impl Block {
     }
 
     /// Notes the moves of the next state.
-    pub(super) fn add(&mut self, store: &StateStore, moves: &PackedMoves) {
-        let PackedMoves { turn, silent, open, .. } = *moves;
+    pub(super) fn add(&mut self, store: &StateStore, sets: &KeySetsBuilder, moves: &PackedMoves) {
+        let PackedMoves { turn, silent, .. } = *moves;
+        let open = sets.find_bits(moves.open_keys()).unwrap_or(UNKNOWN_SET);
         let edges = moves.edges().len() as u32;
         self.heads.push(Head { turn, silent, missed: false, open, edges });
         for edge in moves.edges() {
@@ -157,6 +160,7 @@ impl<'b> Reader<'b> {
 pub(super) fn fill(
     blocks: &mut Vec<Block>,
     store: &StateStore,
+    sets: &KeySetsBuilder,
     states: Range<StateId>,
     threads: usize,
 ) -> usize {
@@ -176,9 +180,9 @@ pub(super) fn fill(
     thread::scope(|scope| {
         for (index, block) in others.iter_mut().enumerate() {
             let part = part(index + 1);
-            scope.spawn(move || block.fill(store, part));
+            scope.spawn(move || block.fill(store, sets, part));
         }
-        first[0].fill(store, part(0));
+        first[0].fill(store, sets, part(0));
     });
     threads
 }

@@ -75,8 +75,8 @@ impl<'e, 's> Cache<'e, 's> {
         shown.extend(used.flat_map(|set| game.key_sets.members(set)));
         let keys: Vec<KeyId> = shown.into_iter().collect();
         let set = |set: u32| {
-            let members = game.key_sets.members(set).iter();
-            json!(members.filter_map(|key| keys.binary_search(key).ok()).collect::<Vec<usize>>()).to_string()
+            let members = game.key_sets.members(set);
+            json!(members.filter_map(|key| keys.binary_search(&key).ok()).collect::<Vec<usize>>()).to_string()
         };
         let events =
             (0..playout.event_count() as u32).map(|event| json!(playout.event(event).text).to_string());
@@ -146,7 +146,7 @@ fn open_states(explored: &Explored<'_>, keys: &[KeyId]) -> Vec<Vec<StateId>> {
     let mut open = vec![Vec::new(); keys.len()];
     for (state, &set) in (0..).zip(&game.open) {
         for key in game.key_sets.members(set) {
-            if let Ok(index) = keys.binary_search(key) {
+            if let Ok(index) = keys.binary_search(&key) {
                 open[index].push(state);
             }
         }

@@ -24,7 +24,11 @@ impl Explored<'_> {
     /// Bytes held for states: their rows and index, their part of the graph, and what is remembered of steps.
     #[must_use]
     pub fn memory_of_states(&self) -> usize {
-        self.store.memory() + self.playout.memory() + self.game.turn.capacity() * PER_STATE
+        let game = &self.game;
+        self.store.memory()
+            + self.playout.memory()
+            + game.key_sets.memory()
+            + game.turn.capacity() * PER_STATE
     }
 
     /// Bytes held for edges.
@@ -152,6 +156,9 @@ pub fn explore_with(playout: &mut Playout<'_>, limits: &Limits) -> Result<(State
         sets: KeySetsBuilder::default(),
         actions: ActionsBuilder::default(),
         set_of: Vec::new(),
+        action_of: Vec::new(),
+        row: Vec::new(),
+        open: Vec::new(),
         blocks: Vec::new(),
         learned: Block::default(),
         buffers: 0,
@@ -188,6 +195,11 @@ struct Explorer<'p, 's> {
     actions: ActionsBuilder,
     /// Per set of the successor function: that of the game, if it has one.
     set_of: Vec<u32>,
+    /// Per event, from 1 on, and for a yield: what it discharged last, and the action that this is.
+    action_of: Vec<Option<(u32, u32)>>,
+    /// A state, and its open keys.
+    row: Vec<u64>,
+    open: Vec<u64>,
     /// The batch: what the tables gave, and what had to be learned.
     blocks: Vec<Block>,
     learned: Block,
@@ -221,14 +233,14 @@ impl Explorer<'_, '_> {
     fn find(&mut self, states: &Range<StateId>, threads: usize) -> (usize, Option<Mistake>) {
         let mut moves = PackedMoves::default();
         loop {
-            let filled = batch::fill(&mut self.blocks, &self.store, states.clone(), threads);
+            let filled = batch::fill(&mut self.blocks, &self.store, &self.sets, states.clone(), threads);
             self.learned.clear();
             let mut narrow = Vec::new();
             let mut mistake = None;
             let heads = self.blocks[..filled].iter().flat_map(Block::heads);
             for (state, _) in states.clone().zip(heads).filter(|(_, head)| head.missed) {
                 match self.store.learn(self.playout, state, &mut narrow, &mut moves) {
-                    Ok(Learned::Moves) => self.learned.add(&self.store, &moves),
+                    Ok(Learned::Moves) => self.learned.add(&self.store, &self.sets, &moves),
                     Ok(Learned::Narrow) => {}
                     Err((event, error)) => {
                         mistake = Some((state, event, error));
@@ -272,18 +284,19 @@ impl Explorer<'_, '_> {
         let open = match head.open {
             UNKNOWN_SET => {
                 let state = self.graph.turn.len() as StateId;
-                self.store.successors.open_set(self.store.rows.get(state))
+                let row = self.store.rows.get(state, &mut self.row);
+                self.store.successors.open_keys(row, &mut self.open);
+                self.sets.intern_bits(&self.open)
             }
             open => open,
         };
-        let open = self.game_set(open);
         for edge in edges {
             let target = match reader.target(edge) {
                 Target::Known(state) => state,
                 Target::New(hash, row) => self.store.rows.intern(hash, row),
             };
             let discharged = self.game_set(edge.discharged);
-            let action = self.actions.intern(edge.event, discharged);
+            let action = self.action(edge.event, discharged);
             push(&mut self.graph.action, action);
             push(&mut self.graph.target, target);
         }
@@ -301,9 +314,26 @@ impl Explorer<'_, '_> {
             self.set_of.resize(index + 1, UNKNOWN_SET);
         }
         if self.set_of[index] == UNKNOWN_SET {
-            self.set_of[index] = self.sets.intern(self.store.successors.set(set));
+            let members: Vec<KeyId> = self.store.keys(set).collect();
+            self.set_of[index] = self.sets.intern(&members);
         }
         self.set_of[index]
+    }
+
+    /// The action of the game. Most events always discharge the same.
+    fn action(&mut self, event: EventId, discharged: u32) -> u32 {
+        let index = event.wrapping_add(1) as usize;
+        if index >= self.action_of.len() {
+            self.action_of.resize(index + 1, None);
+        }
+        match self.action_of[index] {
+            Some((set, action)) if set == discharged => action,
+            _ => {
+                let action = self.actions.intern(event, discharged);
+                self.action_of[index] = Some((discharged, action));
+                action
+            }
+        }
     }
 
     /// Whether the next state may be looked at.
@@ -356,8 +386,9 @@ impl Explorer<'_, '_> {
     }
 
     fn finish(self) -> (StateStore, Game) {
-        let Explorer { playout, store, graph, sets, actions, .. } = self;
-        let Graph { mut turn, mut silent, mut open, mut first, action, mut target } = graph;
+        let Explorer { playout, mut store, graph, sets, actions, .. } = self;
+        store.close();
+        let Graph { mut turn, mut silent, mut open, mut first, mut action, mut target } = graph;
         for (placeholder, end) in [(LOST, Turn::Lost), (WON, Turn::Won)] {
             if target.contains(&placeholder) {
                 let id = turn.len() as u32;
@@ -368,6 +399,11 @@ impl Explorer<'_, '_> {
                 first.push(action.len() as u32);
             }
         }
+        for numbers in [&mut open, &mut first, &mut action, &mut target] {
+            numbers.shrink_to_fit();
+        }
+        turn.shrink_to_fit();
+        silent.shrink_to_fit();
         let key_sets = sets.finish();
         let is_open = open_somewhere(&open, &key_sets, playout.key_count());
         let of_kind = |kind: Kind| -> Vec<u32> {
@@ -406,7 +442,7 @@ fn open_somewhere(open: &[u32], key_sets: &KeySets, keys: usize) -> Vec<bool> {
     }
     let mut is_open = vec![false; keys];
     for set in (0..key_sets.len() as u32).filter(|&set| used[set as usize]) {
-        for &key in key_sets.members(set) {
+        for key in key_sets.members(set) {
             is_open[key as usize] = true;
         }
     }

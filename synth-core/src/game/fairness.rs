@@ -127,14 +127,13 @@ impl Missing<'_> {
             }
         }
         // The assumptions that no node seen so far and no edge between nodes accepts.
-        let mut missed = key_sets.members(open[state(component[0])]).to_vec();
+        let mut missed: Vec<u32> = key_sets.members(open[state(component[0])]).collect();
         missed.retain(|&key| self.is_assumption[key as usize]);
         for &node in component {
-            let open = key_sets.members(open[state(node)]);
-            missed.retain(|key| open.binary_search(key).is_ok());
+            missed.retain(|&key| key_sets.contains(open[state(node)], key));
             for edge in inner(node) {
-                let discharged = key_sets.members(self.game.actions.discharged(self.action(edge)));
-                missed.retain(|key| discharged.binary_search(key).is_err());
+                let discharged = self.game.actions.discharged(self.action(edge));
+                missed.retain(|&key| !key_sets.contains(discharged, key));
             }
             if missed.is_empty() {
                 return true;

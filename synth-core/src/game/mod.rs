@@ -26,6 +26,7 @@ pub use counter_strategy::{CounterStrategy, Standing};
 pub use extract::{ExtractError, extract};
 pub use fairness::trapped;
 pub use keysets::{KeySets, KeySetsBuilder};
+pub(crate) use keysets::{insert, words_for};
 pub use paths::ShortestPaths;
 pub use separation::overpowered;
 pub use solve::{Solution, solve, solve_ending};

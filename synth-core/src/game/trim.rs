@@ -26,9 +26,8 @@ impl<'a> Trim<'a> {
     /// `is_assumption` says of each key whether plays must be fair to it.
     pub(super) fn new(game: &'a Game, strategy: &'a Strategy, is_assumption: &[bool]) -> Self {
         let sets = 0..game.key_sets.len() as u32;
-        let assumes: Vec<bool> = sets
-            .map(|set| game.key_sets.members(set).iter().any(|&key| is_assumption[key as usize]))
-            .collect();
+        let assumes: Vec<bool> =
+            sets.map(|set| game.key_sets.members(set).any(|key| is_assumption[key as usize])).collect();
         let rests = |&state: &u32| {
             let state = state as usize;
             game.silent[state] && game.turn[state].is_environment() && !assumes[game.open[state] as usize]

@@ -26,8 +26,8 @@ pub(super) fn diagnostic(
         }
     }
     // What the system sends there is asked for by a guarantee.
-    let open = game.key_sets.members(game.open[strategy.state[endless.node as usize] as usize]);
-    let asked = open.iter().find(|key| game.guarantees.contains(key)).map(|&key| playout.key(key));
+    let mut open = game.key_sets.members(game.open[strategy.state[endless.node as usize] as usize]);
+    let asked = open.find(|key| game.guarantees.contains(key)).map(|key| playout.key(key));
     let spec = playout.spec();
     let place = asked
         .map_or_else(start_of_file, |key| spec.scenarios[key.scenario].nodes[usize::from(key.node)].span);

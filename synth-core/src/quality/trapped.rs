@@ -12,9 +12,7 @@ pub(super) fn environment(explored: &mut Explored<'_>, strategy: &Strategy) -> O
     let game = &explored.game;
     let trapped = trapped(game, strategy);
     let state = |node: u32| strategy.state[node as usize];
-    let is_open = |node: u32, key: &KeyId| {
-        game.key_sets.members(game.open[state(node) as usize]).binary_search(key).is_ok()
-    };
+    let is_open = |node: u32, key: &KeyId| game.key_sets.contains(game.open[state(node) as usize], *key);
     // Where the environment has the turn and owes something: it shows there.
     let owes = |&node: &u32| {
         game.turn[state(node) as usize].is_environment()
@@ -56,17 +54,19 @@ pub(super) fn environment(explored: &mut Explored<'_>, strategy: &Strategy) -> O
 /// An assumption that is open in `node` and, if there is such a one, is never met in any play from there.
 fn unmet(explored: &Explored<'_>, strategy: &Strategy, node: u32) -> Option<KeyId> {
     let game = &explored.game;
-    let open = |node: u32| game.key_sets.members(game.open[strategy.state[node as usize] as usize]);
+    let is_open = |node: u32, key: KeyId| {
+        game.key_sets.contains(game.open[strategy.state[node as usize] as usize], key)
+    };
     let mut unmet = game.assumptions.clone();
-    unmet.retain(|key| open(node).binary_search(key).is_ok());
+    unmet.retain(|&key| is_open(node, key));
     let first = unmet.first().copied();
     let mut seen = BTreeSet::from([node]);
     let mut ahead = vec![node];
     while let Some(node) = ahead.pop() {
-        unmet.retain(|key| open(node).binary_search(key).is_ok());
+        unmet.retain(|&key| is_open(node, key));
         for edge in strategy.edges_of(node) {
-            let discharged = game.key_sets.members(game.discharged(strategy.edge[edge] as usize));
-            unmet.retain(|key| discharged.binary_search(key).is_err());
+            let discharged = game.discharged(strategy.edge[edge] as usize);
+            unmet.retain(|&key| !game.key_sets.contains(discharged, key));
             if seen.insert(strategy.target[edge]) {
                 ahead.push(strategy.target[edge]);
             }

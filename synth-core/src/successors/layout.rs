@@ -37,12 +37,23 @@ impl Field {
 pub(crate) struct Layout {
     fields: Vec<Field>,
     words: usize,
+    /// Fields from this one on are for slots.
+    first_slot: usize,
+    /// Per word: the bits of slots; and per bit the field that it belongs to.
+    slots: Vec<u64>,
+    owner: Vec<u32>,
 }
 
 impl Layout {
-    /// Fields of no bits.
+    /// Fields of no bits, none for slots.
     pub(super) fn new(fields: usize) -> Self {
-        Layout { fields: vec![Field::default(); fields], words: 1 }
+        Layout {
+            fields: vec![Field::default(); fields],
+            words: 1,
+            first_slot: fields,
+            slots: vec![0],
+            owner: vec![0; u64::BITS as usize],
+        }
     }
 
     #[inline]
@@ -54,7 +65,21 @@ impl Layout {
         self.fields.len()
     }
 
-    /// Adds a field of no bits.
+    /// The fields of slots that are not 0 in a row, ascending, with their values. Most are 0, so this looks for bits.
+    #[inline]
+    pub(super) fn occupied(&self, row: &[u64], mut visit: impl FnMut(u32, u32)) {
+        for (index, (&word, &slots)) in row.iter().zip(&self.slots).enumerate() {
+            let mut rest = word & slots;
+            while rest != 0 {
+                let field = self.owner[index * u64::BITS as usize + rest.trailing_zeros() as usize];
+                let Field { shift, mask, .. } = self.fields[field as usize];
+                visit(field, (word >> shift & mask) as u32);
+                rest &= !(mask << shift);
+            }
+        }
+    }
+
+    /// Adds a field of no bits, for a slot.
     pub(super) fn push(&mut self) {
         self.fields.push(Field::default());
     }
@@ -62,6 +87,12 @@ impl Layout {
     /// Words of a row.
     pub(crate) fn words(&self) -> usize {
         self.words
+    }
+
+    /// Bytes of a row that fields reach into, one at least.
+    pub(crate) fn bytes(&self) -> usize {
+        let end = |field: &Field| field.word * u64::BITS + field.shift + field.width();
+        self.fields.iter().map(end).max().unwrap_or(0).div_ceil(8).max(1) as usize
     }
 
     /// Bits that carry information in a row.
@@ -78,16 +109,22 @@ impl Layout {
         }
         let (mut word, mut shift) = (0, 0);
         let mut fields = Vec::with_capacity(widths.len());
-        for width in widths {
+        let (mut slots, mut owner) = (Vec::new(), Vec::new());
+        for (index, width) in widths.into_iter().enumerate() {
             if shift + width > u64::BITS {
                 (word, shift) = (word + 1, 0);
+            }
+            slots.resize(word as usize + 1, 0);
+            owner.resize((word * u64::BITS + shift + width) as usize, index as u32);
+            if index >= self.first_slot {
+                slots[word as usize] |= ((1 << width) - 1) << shift;
             }
             // A field of no bits must not be shifted out of its word.
             let place = if width == 0 { 0 } else { shift };
             fields.push(Field { word, shift: place, mask: (1 << width) - 1 });
             shift += width;
         }
-        Layout { fields, words: word as usize + 1 }
+        Layout { fields, words: word as usize + 1, first_slot: self.first_slot, slots, owner }
     }
 
     /// Writes a row of another layout, which may have fewer fields and narrower ones, into a cleared one of this.
@@ -105,7 +142,7 @@ mod tests {
     #[test]
     fn fields_do_not_disturb_each_other() {
         let wide = Layout::new(5).widened(&[(0, 1), (2, u32::MAX), (3, u32::MAX), (4, 6)]);
-        assert_eq!((wide.words(), wide.bits()), (2, 68));
+        assert_eq!((wide.words(), wide.bytes(), wide.bits()), (2, 13, 68));
         let mut row = [0; 2];
         let values = [1, 0, 0xdead_beef, 0x1234_5678, 5];
         for (field, &value) in values.iter().enumerate() {
@@ -113,6 +150,19 @@ mod tests {
             wide.field(field).write(&mut row, value);
         }
         assert_eq!([0, 1, 2, 3, 4].map(|field| wide.field(field).read(&row)), values);
+    }
+
+    #[test]
+    fn occupied_slots_are_found() {
+        let mut layout = Layout::new(2);
+        (0..5).for_each(|_| layout.push());
+        let layout = layout.widened(&[(1, 9), (2, 1), (4, u32::MAX), (5, u32::MAX), (6, 3)]);
+        let mut row = [0; 2];
+        let values = [(1, 9), (2, 1), (5, 1 << 31), (6, 2)];
+        values.iter().for_each(|&(field, value)| layout.field(field).write(&mut row, value));
+        let mut found = Vec::new();
+        layout.occupied(&row, |field, value| found.push((field as usize, value)));
+        assert_eq!(found, values[1..]);
     }
 
     #[test]

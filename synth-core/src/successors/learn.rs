@@ -37,9 +37,6 @@ pub(crate) fn learn(
     if moves(&mut learner, row, out).is_err() && !learner.stuck {
         learner.play(row, out)?;
     }
-    if out.open == super::UNKNOWN_SET {
-        out.open = successors.open_set(row);
-    }
     Ok(if narrow.len() > noted { Learned::Narrow } else { Learned::Moves })
 }
 
@@ -244,7 +241,8 @@ impl Learner<'_, '_> {
         self.successors.keep_up(self.playout);
         let words = self.successors.layout.words();
         out.clear(words);
-        (out.turn, out.silent, out.open) = (found.turn, found.silent, super::UNKNOWN_SET);
+        (out.turn, out.silent) = (found.turn, found.silent);
+        self.successors.open_keys(row, &mut out.open_keys);
         for one in &found.moves {
             let mut target = vec![0; words];
             if one.end.is_none() {

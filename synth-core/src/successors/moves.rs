@@ -4,7 +4,7 @@ use super::UNKNOWN_SET;
 use super::groups::GroupId;
 use super::sets::SetId;
 use super::tables::{Place, Successors, Wish, YIELDED, class, flag, part};
-use super::trees::{NOTHING, Node, UNKNOWN};
+use super::trees::{NOTHING, Node, UNKNOWN, is_leaf};
 use crate::game::{Turn, YIELD};
 use crate::playout::{CopyId, EventId};
 
@@ -71,7 +71,6 @@ pub struct Edge {
 struct Active {
     group: GroupId,
     field: u32,
-    value: u32,
 }
 
 /// The moves of one state, and room to find them.
@@ -81,8 +80,9 @@ pub struct PackedMoves {
     pub turn: Turn,
     /// The environment may do nothing.
     pub silent: bool,
-    /// The keys that are open, or `u32::MAX` where that is not tabulated.
+    /// The set of the keys that are open, or `u32::MAX` where nobody has asked for its number yet.
     pub open: SetId,
+    pub(super) open_keys: Vec<u64>,
     edges: Vec<Edge>,
     words: usize,
     rows: Vec<u64>,
@@ -90,7 +90,7 @@ pub struct PackedMoves {
     wishes: Vec<u64>,
     candidates: Vec<u32>,
     target: Vec<u64>,
-    joins: Vec<CopyId>,
+    fired: Vec<(u32, u32)>,
     narrow: Vec<(u32, u32)>,
 }
 
@@ -99,7 +99,8 @@ impl Default for PackedMoves {
         PackedMoves {
             turn: Turn::EnvironmentAny,
             silent: false,
-            open: 0,
+            open: UNKNOWN_SET,
+            open_keys: Vec::new(),
             edges: Vec::new(),
             words: 1,
             rows: Vec::new(),
@@ -107,7 +108,7 @@ impl Default for PackedMoves {
             wishes: Vec::new(),
             candidates: Vec::new(),
             target: Vec::new(),
-            joins: Vec::new(),
+            fired: Vec::new(),
             narrow: Vec::new(),
         }
     }
@@ -127,10 +128,17 @@ impl PackedMoves {
         &self.rows[edge.row as usize * self.words..(edge.row as usize + 1) * self.words]
     }
 
+    /// The keys that are open, as a bit for each, 64 a word; words that are left out are 0.
+    #[must_use]
+    pub(crate) fn open_keys(&self) -> &[u64] {
+        &self.open_keys
+    }
+
     pub(super) fn clear(&mut self, words: usize) {
         self.words = words;
         self.silent = false;
-        self.open = 0;
+        self.open = UNKNOWN_SET;
+        self.open_keys.clear();
         self.edges.clear();
         self.rows.clear();
         self.active.clear();
@@ -168,6 +176,16 @@ impl Successors {
     /// # Errors
     /// Something is not known yet; [`super::learn`] knows more.
     pub(crate) fn moves(&self, row: &[u64], out: &mut PackedMoves) -> Result<(), Miss> {
+        self.moves_and_keys(row, out)?;
+        out.open = self.sets.find_bits(&out.open_keys);
+        Ok(())
+    }
+
+    /// The same for those who look up [`PackedMoves::open_keys`] themselves: [`PackedMoves::open`] is not known.
+    ///
+    /// # Errors
+    /// As for [`Successors::moves`].
+    pub(crate) fn moves_and_keys(&self, row: &[u64], out: &mut PackedMoves) -> Result<(), Miss> {
         moves(&mut &*self, row, out)
     }
 
@@ -194,10 +212,11 @@ impl Successors {
     }
 }
 
-/// The leaf of a tree for the state. Most roots are leaves that stand for nothing.
+/// The leaf of a tree for the state. Most roots are leaves.
 #[inline(always)]
 fn leaf<S: Source>(source: &mut S, place: Place, before: &[u64], after: &[u64]) -> Result<Node, Miss> {
-    if source.tables().root(place) == NOTHING { Ok(NOTHING) } else { walk(source, place, before, after) }
+    let root = source.tables().root(place);
+    if is_leaf(root) { Ok(root) } else { walk(source, place, before, after) }
 }
 
 fn walk<S: Source>(source: &mut S, place: Place, before: &[u64], after: &[u64]) -> Result<Node, Miss> {
@@ -277,18 +296,12 @@ pub(super) fn moves<S: Source>(source: &mut S, row: &[u64], out: &mut PackedMove
 /// a relaxed guarantee asks.
 fn survey<S: Source>(source: &mut S, row: &[u64], out: &mut PackedMoves) -> Result<(), Miss> {
     let tables = source.tables();
-    let first = tables.first_slot();
-    for slot in 0..tables.groups.slots() {
-        let value = tables.layout.field(first + slot).read(row);
-        if value != 0 {
-            let group = tables.groups.at(slot, value);
-            out.active.push(Active { group, field: (first + slot) as u32, value });
-            if out.open != UNKNOWN_SET {
-                let open = tables.open[group as usize];
-                out.open = tables.sets.union(out.open, open).unwrap_or(UNKNOWN_SET);
-            }
-        }
-    }
+    let PackedMoves { active, open_keys, .. } = out;
+    open_keys.resize(tables.key_words(), 0);
+    tables.active(row, |group, field| {
+        active.push(Active { group, field });
+        tables.add_open_keys(group, open_keys);
+    });
     for index in 0..out.active.len() {
         let offers = leaf(source, Place::Offers(out.active[index].group), row, row)?;
         if offers != NOTHING {
@@ -333,6 +346,7 @@ fn system_moves<S: Source>(
 ) -> Result<bool, Miss> {
     let carried = out.edges.len();
     let classic = source.tables().classic;
+    let barred = flag::GUARANTEE | if classic { 0 } else { flag::ASSUMPTION };
     let freed = flag::EXCUSED_GUARANTEE | if classic { 0 } else { flag::EXCUSED_ASSUMPTION };
     let mut decides = false;
     while let Some(wish) = take(&out.wishes, next, class) {
@@ -340,14 +354,11 @@ fn system_moves<S: Source>(
         if leaf(source, Place::Link(event), row, row)? != NOTHING {
             continue;
         }
-        let step = step(source, row, event, out)?;
-        if step.flags & flag::GUARANTEE != 0 {
+        let step = step(source, row, event, barred, out)?;
+        if step.flags & barred != 0 {
             continue;
         }
         let breaks_assumption = step.flags & flag::ASSUMPTION != 0;
-        if breaks_assumption && !classic {
-            continue;
-        }
         decides = decides || wish & 1 == 0 && step.flags & freed == 0;
         admit(source, event, step, breaks_assumption.then_some(Turn::Won), out)?;
     }
@@ -368,7 +379,7 @@ fn environment_moves<S: Source>(source: &mut S, row: &[u64], out: &mut PackedMov
         if leaf(source, Place::Link(event), row, row)? != NOTHING {
             continue;
         }
-        let step = step(source, row, event, out)?;
+        let step = step(source, row, event, flag::ASSUMPTION, out)?;
         if step.flags & flag::ASSUMPTION != 0 {
             continue;
         }
@@ -422,13 +433,20 @@ fn offer_yield(tables: &Successors, row: &[u64], out: &mut PackedMoves) {
     out.turn = Turn::SystemEventually;
 }
 
-/// What an event does; the state after it is left in `out.target`, and what did not fit there in `out.narrow`.
-fn step<S: Source>(source: &mut S, row: &[u64], event: EventId, out: &mut PackedMoves) -> Result<Step, Miss> {
-    let PackedMoves { active, target, joins, narrow, .. } = out;
+/// What an event does; the state after it is left in `out.target`, and what did not fit there in `out.narrow`. If it violates
+/// what is `barred`, nobody asks for that state.
+fn step<S: Source>(
+    source: &mut S,
+    row: &[u64],
+    event: EventId,
+    barred: u8,
+    out: &mut PackedMoves,
+) -> Result<Step, Miss> {
+    let PackedMoves { active, target, fired, narrow, .. } = out;
     target.clear();
     target.extend_from_slice(row);
     narrow.clear();
-    joins.clear();
+    fired.clear();
     let effects = leaf(source, Place::Effects(event), row, row)?;
     let tables = source.tables();
     tables.layout.field(YIELDED).write(target, 0);
@@ -445,27 +463,30 @@ fn step<S: Source>(source: &mut S, row: &[u64], event: EventId, out: &mut Packed
     let (mut flags, mut discharged) = (0, 0);
     for one in active.iter() {
         let reaction = leaf(source, Place::Reaction(one.group, event), row, target)?;
-        if reaction == NOTHING {
-            continue;
+        if reaction != NOTHING {
+            fired.push((reaction, one.field));
+            flags |= source.tables().reactions[reaction as usize].flags;
         }
-        let tables = source.tables();
-        let reaction = tables.reactions[reaction as usize];
-        flags |= reaction.flags;
-        if reaction.value != one.value {
-            put(tables, target, narrow, one.field, reaction.value);
-        }
-        joins.extend_from_slice(part(&tables.joins, reaction.joins));
-        discharged = union(source, discharged, reaction.discharged)?;
     }
     let starts = leaf(source, Place::Starts(event), row, target)?;
-    if starts != NOTHING {
-        let tables = source.tables();
-        let starts = tables.reactions[starts as usize];
-        flags |= starts.flags;
-        joins.extend_from_slice(part(&tables.joins, starts.joins));
+    flags |= source.tables().reactions[starts as usize].flags;
+    if flags & barred != 0 {
+        return Ok(Step { flags, discharged });
     }
-    for &copy in joins.iter() {
-        join(source, target, narrow, copy)?;
+    for &(reaction, field) in fired.iter() {
+        let tables = source.tables();
+        let reaction = tables.reactions[reaction as usize];
+        put(tables, target, narrow, field, reaction.value);
+        discharged = union(source, discharged, reaction.discharged)?;
+    }
+    // All copies that were there have reacted: what is new joins what they have become.
+    let started = (starts, 0);
+    for &(reaction, _) in fired.iter().chain([&started]) {
+        let (start, end) = source.tables().reactions[reaction as usize].joins;
+        for index in start..end {
+            let copy = source.tables().joins[index as usize];
+            join(source, target, narrow, copy)?;
+        }
     }
     Ok(Step { flags, discharged })
 }

@@ -1,6 +1,7 @@
 //! Sets of fairness keys, and what two of them make together.
 
-use crate::game::KeySetsBuilder;
+use super::UNKNOWN_SET;
+use crate::game::{KeySets, KeySetsBuilder};
 use crate::playout::KeyId;
 use rustc_hash::FxHashMap;
 
@@ -19,17 +20,23 @@ fn pair(a: SetId, b: SetId) -> u64 {
 }
 
 impl Sets {
-    pub(super) fn len(&self) -> SetId {
-        self.sets.len() as SetId
-    }
-
-    pub(super) fn members(&self, set: SetId) -> &[KeyId] {
-        self.sets.members(set)
+    pub(super) fn all(&self) -> &KeySets {
+        self.sets.sets()
     }
 
     /// The id of a set, given ascending.
     pub(super) fn intern(&mut self, members: &[KeyId]) -> SetId {
         self.sets.intern(members)
+    }
+
+    /// The id of a set, given as bits.
+    pub(super) fn intern_bits(&mut self, bits: &[u64]) -> SetId {
+        self.sets.intern_bits(bits)
+    }
+
+    /// The id of a set given like this, or [`UNKNOWN_SET`].
+    pub(super) fn find_bits(&self, bits: &[u64]) -> SetId {
+        self.sets.find_bits(bits).unwrap_or(UNKNOWN_SET)
     }
 
     /// The union, if it is known.
@@ -45,7 +52,7 @@ impl Sets {
     /// The union.
     pub(super) fn unite(&mut self, a: SetId, b: SetId) -> SetId {
         self.union(a, b).unwrap_or_else(|| {
-            let mut members = [self.members(a), self.members(b)].concat();
+            let mut members: Vec<KeyId> = self.all().members(a).chain(self.all().members(b)).collect();
             members.sort_unstable();
             members.dedup();
             let union = self.sets.intern(&members);

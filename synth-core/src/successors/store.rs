@@ -21,7 +21,7 @@ impl StateStore {
     pub fn new(playout: &Playout<'_>, initial: &Config) -> Self {
         let mut successors = Successors::new(playout);
         let row = successors.pack_first(playout, initial);
-        let mut rows = PackedRows::new(row.len());
+        let mut rows = PackedRows::new(successors.layout());
         rows.intern(hash_row(&row), &row);
         StateStore { successors, rows }
     }
@@ -52,24 +52,26 @@ impl StateStore {
 
     /// Unpacks a state that was found in this play-out.
     pub fn load(&self, playout: &mut Playout<'_>, state: StateId, config: &mut Config) {
-        self.successors.load(playout, self.rows.get(state), &mut Vec::new(), config);
+        let mut row = Vec::new();
+        let row = self.rows.get(state, &mut row);
+        self.successors.load(playout, row, &mut Vec::new(), config);
     }
 
     /// Whether the system has yielded since the last event.
     #[must_use]
     pub fn yielded(&self, state: StateId) -> bool {
-        self.successors.yielded(self.rows.get(state))
+        self.successors.yielded(self.rows.get(state, &mut Vec::new()))
     }
 
     /// The copies of a state, ascending, into a cleared list.
     pub fn copies(&self, state: StateId, copies: &mut Vec<CopyId>) {
         copies.clear();
-        self.successors.copies(self.rows.get(state), copies);
+        self.successors.copies(self.rows.get(state, &mut Vec::new()), copies);
     }
 
     /// The values of all attributes in a state, by slot, into a cleared list.
     pub fn values(&self, playout: &Playout<'_>, state: StateId, values: &mut Vec<Value>) {
-        self.successors.values(playout, self.rows.get(state), values);
+        self.successors.values(playout, self.rows.get(state, &mut Vec::new()), values);
     }
 
     /// Finds the moves of a state.
@@ -83,7 +85,8 @@ impl StateStore {
         out: &mut PackedMoves,
     ) -> Result<(), (Option<EventId>, PlayError)> {
         let mut narrow = Vec::new();
-        while self.successors.moves(self.rows.get(state), out).is_err() {
+        let mut row = Vec::new();
+        while self.successors.moves(self.rows.get(state, &mut row), out).is_err() {
             if self.learn(playout, state, &mut narrow, out)? == Learned::Moves {
                 break;
             }
@@ -91,7 +94,7 @@ impl StateStore {
             narrow.clear();
         }
         if out.open == UNKNOWN_SET {
-            out.open = self.successors.open_set(self.rows.get(state));
+            out.open = self.successors.open_set(self.rows.get(state, &mut row));
         }
         Ok(())
     }
@@ -104,7 +107,7 @@ impl StateStore {
         room: &mut PackedMoves,
         owed: &mut Vec<EventId>,
     ) {
-        if self.successors.owed(self.rows.get(state), room, owed).is_err() {
+        if self.successors.owed(self.rows.get(state, &mut Vec::new()), room, owed).is_err() {
             let mut config = Config::default();
             self.load(playout, state, &mut config);
             *owed = playout.owed(&config);
@@ -114,13 +117,18 @@ impl StateStore {
     /// How many sets of fairness keys were met so far; ids are below it.
     #[must_use]
     pub fn sets(&self) -> SetId {
-        self.successors.sets.len()
+        self.successors.key_sets().len() as SetId
     }
 
     /// The fairness keys of a set that moves name, ascending.
+    pub fn keys(&self, set: SetId) -> impl Iterator<Item = KeyId> + Clone + use<'_> {
+        self.successors.key_sets().members(set)
+    }
+
+    /// Whether a fairness key is in a set that moves name.
     #[must_use]
-    pub fn keys(&self, set: SetId) -> &[KeyId] {
-        self.successors.set(set)
+    pub fn contains(&self, set: SetId, key: KeyId) -> bool {
+        self.successors.key_sets().contains(set, key)
     }
 
     /// Finds the moves of a state and keeps what they follow from, unless rows have no room for `narrow`.
@@ -134,7 +142,7 @@ impl StateStore {
         narrow: &mut Vec<(u32, u32)>,
         out: &mut PackedMoves,
     ) -> Result<Learned, (Option<EventId>, PlayError)> {
-        learn(&mut self.successors, playout, self.rows.get(state), narrow, out)
+        learn(&mut self.successors, playout, self.rows.get(state, &mut Vec::new()), narrow, out)
     }
 
     /// The id of a state that a move leads to, new or not.
@@ -142,19 +150,17 @@ impl StateStore {
         self.rows.intern(hash_row(row), row)
     }
 
+    /// Gives up what only new states take.
+    pub(crate) fn close(&mut self) {
+        self.rows.close();
+    }
+
     /// Packs all rows anew, with room for these values of fields.
     pub(crate) fn widen(&mut self, narrow: &[(u32, u32)]) {
-        let old = self.successors.layout().clone();
         let layout = self.successors.widened(narrow);
-        let mut rows = PackedRows::new(layout.words());
-        let mut row = Vec::new();
-        for state in 0..self.len() as StateId {
-            row.clear();
-            row.resize(layout.words(), 0);
-            layout.convert(&old, self.rows.get(state), &mut row);
-            rows.intern(hash_row(&row), &row);
-        }
-        self.rows = rows;
+        let empty = PackedRows::new(&layout);
+        let rows = std::mem::replace(&mut self.rows, empty);
+        self.rows = rows.converted(self.successors.layout(), &layout);
         self.successors.set_layout(layout);
     }
 }

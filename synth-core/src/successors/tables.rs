@@ -4,6 +4,7 @@ use super::groups::{GroupId, Groups};
 use super::layout::Layout;
 use super::sets::{SetId, Sets};
 use super::trees::{NOTHING, Node, Trees, UNKNOWN};
+use crate::game::{KeySets, insert, words_for};
 use crate::intern::Indexed;
 use crate::model::{Kind, SlotId, Value};
 use crate::playout::{Config, CopyId, EventId, KeyId, Playout};
@@ -113,8 +114,9 @@ pub(crate) struct Successors {
     stride: usize,
     /// Per group: the root of what it asks for; a leaf is an index into `offers`.
     offered: Vec<Node>,
-    /// Per group: the keys that are open.
-    pub(super) open: Vec<SetId>,
+    /// Per group: the keys that are open, as bits in `key_words` words.
+    open: Vec<u64>,
+    key_words: usize,
     /// What leaves stand for. The first of each kind stands for nothing.
     pub(super) reactions: Vec<Reaction>,
     pub(super) joins: Vec<CopyId>,
@@ -159,6 +161,7 @@ impl Successors {
             stride: 0,
             offered: Vec::new(),
             open: Vec::new(),
+            key_words: 1,
             reactions: vec![nothing],
             joins: Vec::new(),
             effects: vec![(0, 0)],
@@ -192,11 +195,27 @@ impl Successors {
         }
         self.reacted.resize(self.groups.len() * self.stride, UNKNOWN);
         self.offered.resize(self.groups.len(), UNKNOWN);
+        self.add_open(playout);
+    }
+
+    /// Takes note of the keys that new groups have open.
+    fn add_open(&mut self, playout: &Playout<'_>) {
         let mut keys: Vec<KeyId> = Vec::new();
-        for group in self.open.len()..self.groups.len() {
+        for group in self.open.len() / self.key_words..self.groups.len() {
             keys.clear();
             playout.open_of(&self.groups.get(group as GroupId).copies, &mut keys);
-            self.open.push(self.sets.intern(&keys));
+            let words = words_for(keys.iter().max().map_or(0, |most| most + 1));
+            if words > self.key_words {
+                let mut open = Vec::with_capacity(self.groups.len() * words);
+                for row in self.open.chunks(self.key_words) {
+                    open.extend_from_slice(row);
+                    open.resize(open.len() + words - row.len(), 0);
+                }
+                (self.open, self.key_words) = (open, words);
+            }
+            let start = self.open.len();
+            self.open.resize(start + self.key_words, 0);
+            keys.iter().for_each(|&key| insert(&mut self.open[start..], key));
         }
     }
 
@@ -261,21 +280,44 @@ impl Successors {
         self.layout = layout;
     }
 
-    /// The keys of a set, ascending.
-    pub(crate) fn set(&self, set: SetId) -> &[KeyId] {
-        self.sets.members(set)
+    /// The sets of keys that moves discharge, and others that were asked for.
+    pub(crate) fn key_sets(&self) -> &KeySets {
+        self.sets.all()
     }
 
-    /// The keys that are open in a state.
+    /// The groups of copies that are active in a state, with their fields.
+    #[inline]
+    pub(super) fn active(&self, row: &[u64], mut visit: impl FnMut(GroupId, u32)) {
+        let first = self.first_slot();
+        self.layout.occupied(row, |field, value| {
+            visit(self.groups.at(field as usize - first, value), field);
+        });
+    }
+
+    /// Words of a set of open keys.
+    pub(super) fn key_words(&self) -> usize {
+        self.key_words
+    }
+
+    /// Adds the keys that a group has open to a set of bits.
+    #[inline]
+    pub(super) fn add_open_keys(&self, group: GroupId, open: &mut [u64]) {
+        let keys = &self.open[group as usize * self.key_words..][..self.key_words];
+        open.iter_mut().zip(keys).for_each(|(all, one)| *all |= one);
+    }
+
+    /// The keys that are open in a state, as a bit for each, into a cleared list.
+    pub(crate) fn open_keys(&self, row: &[u64], open: &mut Vec<u64>) {
+        open.clear();
+        open.resize(self.key_words, 0);
+        self.active(row, |group, _| self.add_open_keys(group, open));
+    }
+
+    /// The set of the keys that are open in a state.
     pub(crate) fn open_set(&mut self, row: &[u64]) -> SetId {
-        (0..self.groups.slots()).fold(0, |open, slot| match self.slot(row, slot) {
-            0 => open,
-            value => self.sets.unite(open, self.open[self.groups.at(slot, value) as usize]),
-        })
-    }
-
-    fn slot(&self, row: &[u64], slot: usize) -> u32 {
-        self.layout.field(self.first_slot() + slot).read(row)
+        let mut open = Vec::new();
+        self.open_keys(row, &mut open);
+        self.sets.intern_bits(&open)
     }
 
     /// Whether the system has yielded since the last event.
@@ -285,12 +327,7 @@ impl Successors {
 
     /// Appends the copies of a state, ascending.
     pub(crate) fn copies(&self, row: &[u64], copies: &mut Vec<CopyId>) {
-        for slot in 0..self.groups.slots() {
-            let value = self.slot(row, slot);
-            if value != 0 {
-                copies.extend_from_slice(&self.groups.get(self.groups.at(slot, value)).copies);
-            }
-        }
+        self.active(row, |group, _| copies.extend_from_slice(&self.groups.get(group).copies));
         copies.sort_unstable();
     }
 
@@ -362,7 +399,8 @@ impl Successors {
         self.trees.memory()
             + self.groups.memory()
             + self.sets.memory()
-            + (self.reacted.capacity() + self.offered.capacity() + self.open.capacity()) * size_of::<u32>()
+            + (self.reacted.capacity() + self.offered.capacity()) * size_of::<u32>()
+            + self.open.capacity() * size_of::<u64>()
             + self.reactions.capacity() * size_of::<Reaction>()
             + (self.effects.capacity() + self.assignments.capacity() + self.offers.capacity())
                 * size_of::<(u32, u32)>()

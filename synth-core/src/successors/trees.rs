@@ -16,6 +16,12 @@ pub(super) const UNKNOWN: Node = u32::MAX;
 /// Marks tests; the rest of the number is an index.
 const TEST: u32 = 1 << 31;
 
+/// Whether a node is a leaf, for every state.
+#[inline]
+pub(super) fn is_leaf(node: Node) -> bool {
+    node & TEST == 0
+}
+
 /// One look at an attribute: the field that holds it, when, and what was seen.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Look {
@@ -45,7 +51,7 @@ impl Trees {
     /// The leaf for a state and what the event's effects made of it, or [`UNKNOWN`].
     #[inline]
     pub(super) fn walk(&self, mut node: Node, layout: &Layout, before: &[u64], after: &[u64]) -> Node {
-        while node & TEST != 0 && node != UNKNOWN {
+        while !is_leaf(node) && node != UNKNOWN {
             let test = &self.tests[(node ^ TEST) as usize];
             let value = layout.field(test.field as usize).read(if test.after { after } else { before });
             node = if value < test.count { self.nodes[(test.first + value) as usize] } else { UNKNOWN };

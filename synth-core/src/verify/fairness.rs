@@ -32,7 +32,7 @@ pub(super) fn check(product: &Product<'_>, threads: usize) -> Result<(), VerifyE
     let mut assumed = vec![vec![false; sets as usize]; assumptions.len()];
     for set in 0..sets {
         for key in product.keys(set) {
-            if let Ok(index) = assumptions.binary_search(key) {
+            if let Ok(index) = assumptions.binary_search(&key) {
                 assumed[index][set as usize] = true;
             }
         }
@@ -54,7 +54,7 @@ fn check_some(
 ) -> Result<(), VerifyError> {
     let graph = &product.graph;
     let bit = |goal: Goal| goals.iter().position(|&one| one == goal).map_or(0, |bit| 1 << bit);
-    let goals_in = |set| product.keys(set).iter().fold(0, |goals, &key| goals | bit(Some(key)));
+    let goals_in = |set| product.keys(set).fold(0, |goals, key| goals | bit(Some(key)));
     let open: Vec<u64> = (0..sets).map(goals_in).collect();
     let assumes: Vec<bool> = (0..open.len()).map(|set| assumed.iter().any(|is_in| is_in[set])).collect();
     let starving = starving(graph, &open, bit(None), &assumes);

@@ -78,8 +78,8 @@ impl Nodes {
     }
 
     /// The keys of a set, ascending.
-    pub(super) fn keys(&self, set: SetId) -> &[KeyId] {
-        self.successors.set(set)
+    pub(super) fn keys(&self, set: SetId) -> impl Iterator<Item = KeyId> + use<'_> {
+        self.successors.key_sets().members(set)
     }
 
     /// The set of the keys that are open in a node.

@@ -56,7 +56,7 @@ impl<'s> Product<'s> {
     }
 
     /// The keys of a set, ascending.
-    pub(super) fn keys(&self, set: SetId) -> &[KeyId] {
+    pub(super) fn keys(&self, set: SetId) -> impl Iterator<Item = KeyId> + use<'_> {
         self.nodes.keys(set)
     }
 
@@ -92,7 +92,7 @@ impl<'s> Product<'s> {
         self.graph.open.iter().for_each(|&set| used[set as usize] = true);
         let used = (0..sets).filter(|&set| used[set as usize]);
         let mut is_open = vec![false; self.playout.key_count()];
-        used.flat_map(|set| self.keys(set)).for_each(|&key| is_open[key as usize] = true);
+        used.flat_map(|set| self.keys(set)).for_each(|key| is_open[key as usize] = true);
         (0..).zip(is_open).filter_map(|(key, is_open)| is_open.then_some(key)).collect()
     }
 

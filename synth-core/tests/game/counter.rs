@@ -103,7 +103,7 @@ fn walk(game: &Game, winning: &[bool], mut state: u32, edges: &[u32]) -> u32 {
 
 /// Whether a key is met on the cycle (or the silence) that begins in `state`.
 fn meets(game: &Game, key: u32, state: u32, cycle: &[u32]) -> bool {
-    let contains = |set: u32| game.key_sets.members(set).contains(&key);
+    let contains = |set: u32| game.key_sets.contains(set, key);
     let closed = |state: u32| !contains(game.open[state as usize]);
     closed(state)
         || cycle

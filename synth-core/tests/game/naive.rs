@@ -24,15 +24,14 @@ impl Graph {
         let mut met: Vec<BTreeSet<u32>> = Vec::new();
         let keys = 0..game.key_sets.keys();
         for state in 0..states {
-            let open = game.key_sets.members(game.open[state]);
-            met.push(keys.clone().filter(|key| !open.contains(key)).collect());
+            met.push(keys.clone().filter(|&key| !game.key_sets.contains(game.open[state], key)).collect());
         }
         for state in 0..states {
             for edge in game.edges_of(state as u32) {
                 let node = successors.len();
                 successors[state].push(node);
                 successors.push(vec![game.target[edge] as usize]);
-                met.push(game.key_sets.members(game.discharged(edge)).iter().copied().collect());
+                met.push(game.key_sets.members(game.discharged(edge)).collect());
             }
             if game.silent[state] {
                 let node = successors.len();
