@@ -14,6 +14,10 @@
 //! So along moves that make *progress* (to a lower rank, or inside an avoidance without accepting its assumption)
 //! ranks never rise until the goal is accepted, and if they stay the same for ever, then in an avoidance.
 //!
+//! Each assumption is tried again and again, and what is good only grows. An avoidance that was not there the last time
+//! leads to something that has become good since. Where that is little, it is looked for backwards from there, and not
+//! in the whole of `left`.
+//!
 //! If super steps must end, an avoidance is also such that the end of the super step can always be reached in it, and
 //! only moves towards that end make progress.
 //!
@@ -28,6 +32,9 @@ use super::{
 };
 use fixedbitset::FixedBitSet;
 use std::collections::VecDeque;
+
+/// To look backwards from a state costs about so many times what it costs to look at a state.
+const DEARER: usize = 8;
 
 /// Pursues goals one after the other, with arrays that are allocated once.
 #[derive(Debug)]
@@ -44,8 +51,16 @@ pub(super) struct Pursuit<'g> {
     good: Vec<u32>,
     /// How many of `good` have been looked at by [`Self::attract`].
     attracted: usize,
+    /// Per assumption: how many of `good` were known when its avoidance was last computed.
+    known: Vec<Option<usize>>,
     /// The states of an avoidance while it is computed.
     kept: FixedBitSet,
+    /// The states that were in `kept` at first, or are still.
+    candidates: Vec<u32>,
+    /// The states of the environment that have been looked at and cannot be kept.
+    refused: Vec<u32>,
+    /// Per state: it is in `refused`.
+    is_refused: FixedBitSet,
     /// The states that have been dropped from `kept`, to be looked at.
     dropped: Vec<u32>,
     /// Of an environment state in `left`: its choices that stay in `left` and do not accept the goal. Of a system
@@ -67,7 +82,11 @@ impl<'g> Pursuit<'g> {
             rank: vec![0; states],
             good: Vec::new(),
             attracted: 0,
+            known: Vec::new(),
             kept: FixedBitSet::with_capacity(states),
+            candidates: Vec::new(),
+            refused: Vec::new(),
+            is_refused: FixedBitSet::with_capacity(states),
             dropped: Vec::new(),
             choices: vec![0; states],
             distance: vec![0; if ending { states } else { 0 }],
@@ -84,13 +103,16 @@ impl<'g> Pursuit<'g> {
         progress: &mut FixedBitSet,
     ) -> &FixedBitSet {
         progress.clear();
+        self.known.clear();
+        self.known.resize(assumptions.len(), None);
         self.start(goal, region);
         self.attract(goal, region, progress);
         // The assumptions in rotation, until none of them has an avoidance any more.
         let (mut assumption, mut without) = (0, 0);
         while without < assumptions.len() && !self.left.is_clear() {
             without += 1;
-            if self.avoid(&assumptions[assumption], goal) {
+            let known = self.known[assumption].replace(self.good.len());
+            if self.avoid(&assumptions[assumption], goal, known) {
                 self.collect_kept(&assumptions[assumption], progress);
                 self.attract(goal, region, progress);
                 without = 0;
@@ -113,6 +135,9 @@ impl<'g> Pursuit<'g> {
         self.left.clone_from(region);
         self.left.intersect_with(&goal.open);
         for state in self.left.ones() {
+            if self.game.silent[state] && !self.game.turn[state].is_system() {
+                continue;
+            }
             let mut edges = self.game.edges_of(state as u32);
             let good = if self.game.turn[state].is_system() {
                 edges.any(|edge| {
@@ -124,7 +149,7 @@ impl<'g> Pursuit<'g> {
                 // choice at all, as in `Turn::Won`, the play is over and the system has not lost.
                 let stays =
                     |&edge: &usize| !goal.accepts(action[edge]) && goal.open.contains(target[edge] as usize);
-                self.choices[state] = edges.filter(stays).count() as u32 + u32::from(self.game.silent[state]);
+                self.choices[state] = edges.filter(stays).count() as u32;
                 self.choices[state] == 0
             };
             if good {
@@ -145,7 +170,7 @@ impl<'g> Pursuit<'g> {
             if self.game.turn[state as usize].is_system() {
                 self.mark_progress(state, goal, region, progress);
             }
-            for &Incoming { source, action } in self.predecessors.of(state) {
+            for &Incoming { source, action } in self.predecessors.forced(state) {
                 let index = source as usize;
                 if !self.left.contains(index) {
                     continue;
@@ -181,18 +206,29 @@ impl<'g> Pursuit<'g> {
         }
     }
 
-    /// Computes in `kept` the avoidance of `assumption`; whether there is one.
-    fn avoid(&mut self, assumption: &Acceptance, goal: &Acceptance) -> bool {
+    /// Computes in `kept` the avoidance of `assumption`, if `known` of the good states were known the last time; whether
+    /// there is one.
+    fn avoid(&mut self, assumption: &Acceptance, goal: &Acceptance, known: Option<usize>) -> bool {
         let Game { target, action, .. } = self.game;
-        self.kept.clone_from(&self.left);
-        self.kept.intersect_with(&assumption.open);
-        for state in self.kept.ones() {
-            let mut edges = self.game.edges_of(state as u32);
+        self.candidates.drain(..).for_each(|state| self.kept.set(state as usize, false));
+        let possible = self.left.intersection_count(&assumption.open);
+        match known {
+            Some(known) if self.good.len() - known < possible / DEARER => {
+                self.collect_candidates(assumption, goal, known);
+            }
+            _ => {
+                self.kept.clone_from(&self.left);
+                self.kept.intersect_with(&assumption.open);
+                self.candidates.extend(self.kept.ones().map(|state| state as u32));
+            }
+        }
+        for &state in &self.candidates {
+            let mut edges = self.game.edges_of(state);
             let avoids =
                 |edge: usize| !assumption.accepts(action[edge]) && self.kept.contains(target[edge] as usize);
-            let drop = if self.game.turn[state].is_system() {
+            let drop = if self.game.turn[state as usize].is_system() {
                 let count = edges.filter(|&edge| avoids(edge)).count() as u32;
-                self.choices[state] = count;
+                self.choices[state as usize] = count;
                 count == 0
             } else {
                 edges.any(|edge| {
@@ -201,7 +237,7 @@ impl<'g> Pursuit<'g> {
                 })
             };
             if drop {
-                self.dropped.push(state as u32);
+                self.dropped.push(state);
             }
         }
         for &state in &self.dropped {
@@ -211,7 +247,58 @@ impl<'g> Pursuit<'g> {
         while self.ending && self.drop_endless(assumption) {
             self.drop_all(assumption, goal);
         }
-        !self.kept.is_clear()
+        self.candidates.retain(|&state| self.kept.contains(state as usize));
+        !self.candidates.is_empty()
+    }
+
+    /// Collects in `kept` what can belong to an avoidance: what leads to states that are good since the first `known` were,
+    /// through states that nothing speaks against at once.
+    fn collect_candidates(&mut self, assumption: &Acceptance, goal: &Acceptance, known: usize) {
+        let Game { turn, target, action, .. } = self.game;
+        let (mut new, mut next) = (known, 0);
+        loop {
+            let state = if let Some(&state) = self.good.get(new) {
+                new += 1;
+                state
+            } else if let Some(&state) = self.candidates.get(next) {
+                next += 1;
+                state
+            } else {
+                break;
+            };
+            for incoming in self.predecessors.of(state) {
+                let source = incoming.source as usize;
+                if !self.left.contains(source)
+                    || !assumption.open.contains(source)
+                    || self.kept.contains(source)
+                {
+                    continue;
+                }
+                if turn[source].is_system() {
+                    if assumption.accepts(incoming.action) {
+                        continue;
+                    }
+                } else {
+                    if goal.accepts(incoming.action) || self.is_refused.contains(source) {
+                        continue;
+                    }
+                    let refuses = |edge: usize| {
+                        let target = target[edge] as usize;
+                        (assumption.accepts(action[edge]) || !assumption.open.contains(target))
+                            && self.left.contains(target)
+                            && !goal.accepts(action[edge])
+                    };
+                    if self.game.edges_of(incoming.source).any(refuses) {
+                        self.is_refused.insert(source);
+                        self.refused.push(incoming.source);
+                        continue;
+                    }
+                }
+                self.kept.insert(source);
+                self.candidates.push(incoming.source);
+            }
+        }
+        self.refused.drain(..).for_each(|state| self.is_refused.set(state as usize, false));
     }
 
     /// Drops the states that cannot be kept without those in `dropped`.
@@ -244,12 +331,13 @@ impl<'g> Pursuit<'g> {
     fn drop_endless(&mut self, assumption: &Acceptance) -> bool {
         const FAR: u32 = u32::MAX;
         let mut reached: VecDeque<u32> = VecDeque::new();
-        for state in self.kept.ones() {
-            if self.game.turn[state].is_system() {
-                self.distance[state] = FAR;
+        let kept = self.candidates.iter().filter(|&&state| self.kept.contains(state as usize));
+        for &state in kept.clone() {
+            if self.game.turn[state as usize].is_system() {
+                self.distance[state as usize] = FAR;
             } else {
-                self.distance[state] = 0;
-                reached.push_back(state as u32);
+                self.distance[state as usize] = 0;
+                reached.push_back(state);
             }
         }
         while let Some(state) = reached.pop_front() {
@@ -261,8 +349,7 @@ impl<'g> Pursuit<'g> {
                 }
             }
         }
-        let endless = self.kept.ones().filter(|&state| self.distance[state] == FAR);
-        self.dropped.extend(endless.map(|state| state as u32));
+        self.dropped.extend(kept.filter(|&&state| self.distance[state as usize] == FAR));
         for &state in &self.dropped {
             self.kept.set(state as usize, false);
         }
@@ -272,16 +359,16 @@ impl<'g> Pursuit<'g> {
     /// Makes the states of an avoidance good, all with the same rank.
     fn collect_kept(&mut self, assumption: &Acceptance, progress: &mut FixedBitSet) {
         let rank = self.good.last().map_or(0, |&last| self.rank[last as usize]) + 1;
-        self.left.difference_with(&self.kept);
-        for state in self.kept.ones() {
-            self.rank[state] = rank;
-            self.good.push(state as u32);
-            if self.game.turn[state].is_system() {
-                for edge in self.game.edges_of(state as u32) {
+        for &state in &self.candidates {
+            self.left.set(state as usize, false);
+            self.rank[state as usize] = rank;
+            self.good.push(state);
+            if self.game.turn[state as usize].is_system() {
+                for edge in self.game.edges_of(state) {
                     let target = self.game.target[edge] as usize;
                     if !assumption.accepts(self.game.action[edge])
                         && self.kept.contains(target)
-                        && (!self.ending || self.distance[target] < self.distance[state])
+                        && (!self.ending || self.distance[target] < self.distance[state as usize])
                     {
                         progress.insert(edge);
                     }

@@ -49,7 +49,7 @@ impl Solution {
 /// Solves the game.
 ///
 /// Time is that of a few passes over the edges for each goal in practice, and quadratic in the number of states at
-/// worst. Memory beside the game: eight `u32` for a state, two for an edge, one bit for each pair of a key and a
+/// worst. Memory beside the game: ten `u32` for a state, two for an edge, one bit for each pair of a key and a
 /// state and of a goal and an edge.
 #[must_use]
 pub fn solve(game: &Game) -> Solution {
@@ -79,11 +79,14 @@ fn solve_for(game: &Game, ending: bool) -> Solution {
     let mut progress = vec![FixedBitSet::with_capacity(game.edges()); goals.len()];
     let mut settled = vec![false; goals.len()];
     let mut goal = 0;
+    // The goal that the pursuit was last run for, if it lost nothing.
+    let mut last = None;
     while settled.contains(&false) {
         if !settled[goal] {
             settled[goal] = true;
             let lost = pursuit.run(&goals[goal], avoidable(goal), &region.states, &mut progress[goal]);
-            if !lost.is_clear() {
+            last = lost.is_clear().then_some(goal);
+            if last.is_none() {
                 region.remove(game, &predecessors, lost);
                 for ((goal, progress), settled) in goals.iter().zip(&progress).zip(&mut settled) {
                     *settled = *settled && keeps_progress(game, &predecessors, &region, goal, progress);
@@ -92,11 +95,11 @@ fn solve_for(game: &Game, ending: bool) -> Solution {
         }
         goal = (goal + 1) % goals.len();
     }
-    let remaining = {
+    if last != Some(super_steps) {
         let progress = &mut progress[super_steps];
         pursuit.run(&goals[super_steps], avoidable(super_steps), &region.states, progress);
-        pursuit.into_ranks()
-    };
+    }
+    let remaining = pursuit.into_ranks();
     Solution { winning: region.states, progress, remaining, ending }
 }
 

@@ -5,6 +5,7 @@
 //! is left holds every cycle that misses a goal, and in a good strategy nothing is left.
 
 use super::{Game, Strategy, acceptance::Acceptance};
+use std::collections::VecDeque;
 
 /// Goals that are looked at together.
 pub(super) const GOALS: usize = u64::BITS as usize;
@@ -18,7 +19,7 @@ pub(super) struct Trim<'a> {
     source: Vec<u32>,
     /// Per node: a play that stays there in silence is fair.
     rests: Vec<bool>,
-    queue: Vec<u32>,
+    queue: VecDeque<u32>,
     queued: Vec<bool>,
 }
 
@@ -50,7 +51,15 @@ impl<'a> Trim<'a> {
         }
         first.pop();
         let rests = strategy.state.iter().map(rests).collect();
-        Trim { game, strategy, first, source, rests, queue: Vec::new(), queued: vec![false; nodes] }
+        Trim {
+            game,
+            strategy,
+            first,
+            source,
+            rests,
+            queue: VecDeque::with_capacity(nodes),
+            queued: vec![false; nodes],
+        }
     }
 
     /// Per node: the goals, at most [`GOALS`], that a play from there may miss for ever.
@@ -66,10 +75,11 @@ impl<'a> Trim<'a> {
         }
         let mut alive: Vec<u64> = strategy.state.iter().map(|&state| open[state as usize]).collect();
         drop(open);
-        // Successors have mostly been found later than their predecessors.
-        self.queue.extend(0..strategy.nodes() as u32);
+        // Successors have mostly been found later than their predecessors. First in, first out: what more than one successor
+        // has to say is heard at once.
+        self.queue.extend((0..strategy.nodes() as u32).rev());
         self.queued.fill(true);
-        while let Some(node) = self.queue.pop() {
+        while let Some(node) = self.queue.pop_front() {
             let index = node as usize;
             self.queued[index] = false;
             let before = alive[index];
@@ -90,7 +100,7 @@ impl<'a> Trim<'a> {
                 for &source in &self.source[self.first[index] as usize..self.first[index + 1] as usize] {
                     if alive[source as usize] & before & !after != 0 && !self.queued[source as usize] {
                         self.queued[source as usize] = true;
-                        self.queue.push(source);
+                        self.queue.push_back(source);
                     }
                 }
             }
