@@ -5,7 +5,7 @@
 //! is left holds every cycle that misses a goal, and in a good strategy nothing is left.
 
 use super::{Game, Strategy, acceptance::Acceptance};
-use std::collections::VecDeque;
+use fixedbitset::FixedBitSet;
 
 /// Goals that are looked at together.
 pub(super) const GOALS: usize = u64::BITS as usize;
@@ -19,8 +19,8 @@ pub(super) struct Trim<'a> {
     source: Vec<u32>,
     /// Per node: a play that stays there in silence is fair.
     rests: Vec<bool>,
-    queue: VecDeque<u32>,
-    queued: Vec<bool>,
+    /// The nodes to look at.
+    pending: FixedBitSet,
 }
 
 impl<'a> Trim<'a> {
@@ -51,15 +51,7 @@ impl<'a> Trim<'a> {
         }
         first.pop();
         let rests = strategy.state.iter().map(rests).collect();
-        Trim {
-            game,
-            strategy,
-            first,
-            source,
-            rests,
-            queue: VecDeque::with_capacity(nodes),
-            queued: vec![false; nodes],
-        }
+        Trim { game, strategy, first, source, rests, pending: FixedBitSet::with_capacity(nodes) }
     }
 
     /// Per node: the goals, at most [`GOALS`], that a play from there may miss for ever.
@@ -75,36 +67,56 @@ impl<'a> Trim<'a> {
         }
         let mut alive: Vec<u64> = strategy.state.iter().map(|&state| open[state as usize]).collect();
         drop(open);
-        // Successors have mostly been found later than their predecessors. First in, first out: what more than one successor
-        // has to say is heard at once.
-        self.queue.extend((0..strategy.nodes() as u32).rev());
-        self.queued.fill(true);
-        while let Some(node) = self.queue.pop_front() {
-            let index = node as usize;
-            self.queued[index] = false;
-            let before = alive[index];
-            if before == 0 || self.rests[index] {
-                continue;
-            }
-            let mut after = 0;
-            for edge in strategy.edges_of(node) {
-                let action = self.game.action[strategy.edge[edge] as usize];
-                after |= alive[strategy.target[edge] as usize] & kept[action as usize];
-                if after & before == before {
-                    break;
+        // Successors have mostly been found later than their predecessors, so a sweep goes backwards.
+        self.pending.insert_range(..);
+        while !self.pending.is_clear() {
+            let mut below = strategy.nodes();
+            while let Some(index) = last_below(&self.pending, below) {
+                below = index;
+                self.pending.set(index, false);
+                let before = alive[index];
+                if before == 0 || self.rests[index] {
+                    continue;
                 }
-            }
-            let after = after & before;
-            if after != before {
-                alive[index] = after;
-                for &source in &self.source[self.first[index] as usize..self.first[index + 1] as usize] {
-                    if alive[source as usize] & before & !after != 0 && !self.queued[source as usize] {
-                        self.queued[source as usize] = true;
-                        self.queue.push_back(source);
+                let after = before & self.missed_behind(index as u32, before, &alive, &kept);
+                if after != before {
+                    alive[index] = after;
+                    for &source in &self.source[self.first[index] as usize..self.first[index + 1] as usize] {
+                        if alive[source as usize] & before & !after != 0 {
+                            self.pending.insert(source as usize);
+                        }
                     }
                 }
             }
         }
         alive
+    }
+
+    /// Which of the goals `before` a play that goes on from a node may miss.
+    fn missed_behind(&self, node: u32, before: u64, alive: &[u64], kept: &[u64]) -> u64 {
+        let mut after = 0;
+        for edge in self.strategy.edges_of(node) {
+            let action = self.game.action[self.strategy.edge[edge] as usize];
+            after |= alive[self.strategy.target[edge] as usize] & kept[action as usize];
+            if after & before == before {
+                break;
+            }
+        }
+        after
+    }
+}
+
+/// The last element of a set that is less than `below`.
+fn last_below(set: &FixedBitSet, below: usize) -> Option<usize> {
+    let words = set.as_slice();
+    let bits = usize::BITS as usize;
+    let (mut word, bit) = (below / bits, below % bits);
+    let mut value = if bit == 0 { 0 } else { words[word] & (usize::MAX >> (bits - bit)) };
+    loop {
+        if value != 0 {
+            return Some(word * bits + bits - 1 - value.leading_zeros() as usize);
+        }
+        word = word.checked_sub(1)?;
+        value = words[word];
     }
 }
