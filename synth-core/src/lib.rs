@@ -15,6 +15,7 @@ pub mod emit;
 pub mod existential;
 pub mod explain;
 pub mod explore;
+pub mod external;
 mod fnv;
 pub mod game;
 mod intern;

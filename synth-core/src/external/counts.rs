@@ -1,0 +1,68 @@
+//! What is counted of states and their moves.
+
+use crate::game::Turn;
+use crate::successors::{PackedMoves, Successors};
+use fixedbitset::FixedBitSet;
+
+/// Counts of states whose moves are known.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Counts {
+    pub(super) transitions: u64,
+    pub(super) system: u64,
+    pub(super) environment: u64,
+    pub(super) yielded: u64,
+    pub(super) idle: u64,
+    /// Some edge leads to the losing state, or to the won one.
+    pub(super) lost: bool,
+    pub(super) won: bool,
+    /// The sets of keys that are open somewhere.
+    pub(super) open: FixedBitSet,
+}
+
+impl Counts {
+    /// Counts a state, and appends the rows that it leads to.
+    pub(super) fn add(
+        &mut self,
+        successors: &Successors,
+        row: &[u64],
+        moves: &PackedMoves,
+        rows: &mut Vec<u64>,
+    ) {
+        let edges = moves.edges();
+        self.transitions += edges.len() as u64;
+        self.yielded += u64::from(successors.yielded(row));
+        if moves.turn.is_system() {
+            self.system += 1;
+        } else {
+            self.environment += 1;
+            self.idle += u64::from(edges.is_empty());
+        }
+        self.open.grow_and_insert(moves.open as usize);
+        for edge in edges {
+            match edge.end {
+                None => rows.extend_from_slice(moves.target(edge)),
+                Some(Turn::Won) => self.won = true,
+                Some(_) => self.lost = true,
+            }
+        }
+    }
+
+    /// Adds what was counted elsewhere.
+    pub(super) fn join(&mut self, other: &Counts) {
+        self.transitions += other.transitions;
+        self.system += other.system;
+        self.environment += other.environment;
+        self.yielded += other.yielded;
+        self.idle += other.idle;
+        self.lost |= other.lost;
+        self.won |= other.won;
+        self.open.grow(other.open.len());
+        self.open.union_with(&other.open);
+    }
+
+    pub(super) fn clear(&mut self) {
+        let mut open = std::mem::take(&mut self.open);
+        open.clear();
+        *self = Counts { open, ..Counts::default() };
+    }
+}
