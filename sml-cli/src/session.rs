@@ -14,7 +14,7 @@ use synth_core::diagnostic::{Code, Diagnostic};
 use synth_core::existential::{Existential, existential};
 use synth_core::explain::{Explanation, explain};
 use synth_core::explore::{Explored, Limits, explore};
-use synth_core::external::{self, Census, Origin};
+use synth_core::external::{self, Budget, Census, Origin, Task};
 use synth_core::model::Spec;
 use synth_core::pipeline::{self, Options, Size, Solved, Timings, Verified};
 use synth_core::plant::pipeline::{Followed, ModularlySupervised, Supervised};
@@ -176,7 +176,9 @@ impl Session {
     pub(crate) fn census(&mut self, folder: &Path, loaded: &Loaded, spec: &Spec) -> Result<Census, Failure> {
         let Options { semantics, limits, .. } = self.options(Level::default());
         let origin = Origin::new(&loaded.sources, semantics);
-        let explore = || external::explore(spec, semantics, &limits, folder, &origin, &interrupt::asked);
+        let budget = Budget::of(limits.memory);
+        let task = Task { folder, origin: &origin, budget, stop: &interrupt::asked };
+        let explore = || external::explore(spec, semantics, &limits, &task);
         let census = self.timings.stage("explore on disk", explore).map_err(|error| {
             let again = format!("run the same command with `--spill {}` to go on", folder.display());
             Failure::of_external(error, &loaded.sources, &again)

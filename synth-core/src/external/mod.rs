@@ -29,8 +29,6 @@ mod recent;
 mod search;
 mod segment;
 mod tables;
-#[cfg(test)]
-mod tests;
 mod visited;
 
 pub use checkpoint::Origin;
@@ -39,7 +37,6 @@ pub use error::{ExternalError, Progress};
 use crate::explore::{ExploreError, Limits};
 use crate::model::{Kind, Spec};
 use crate::playout::{Playout, Semantics};
-use folder::Folder;
 use search::Search;
 use std::path::Path;
 
@@ -77,22 +74,23 @@ impl Census {
     }
 }
 
-/// How much is held in memory, and for how long.
+/// How much is held in memory, and for how long. No result depends on it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-struct Plan {
+pub struct Budget {
     /// Bytes of rows that are remembered to know them again.
-    recent: usize,
+    pub recent: usize,
     /// Bytes of rows that are sorted at once.
-    candidates: usize,
+    pub candidates: usize,
     /// States that are explored between two checkpoints.
-    checkpoint: u64,
+    pub checkpoint: u64,
 }
 
-impl Plan {
-    /// No more than pays. A vector that grows may hold twice as much as it needs.
-    fn new(memory: usize) -> Plan {
+impl Budget {
+    /// For so many bytes of memory. No more than pays is used, and a vector that grows may hold twice as much as it needs.
+    #[must_use]
+    pub fn of(memory: usize) -> Budget {
         let most = 1 << 30;
-        Plan { recent: (memory / 4).min(most), candidates: (memory / 8).min(most), checkpoint: 1 << 22 }
+        Budget { recent: (memory / 4).min(most), candidates: (memory / 8).min(most), checkpoint: 1 << 22 }
     }
 
     /// Rows of so many words that are remembered at most.
@@ -101,9 +99,21 @@ impl Plan {
     }
 }
 
-/// Explores a specification with files in a folder, which is made if need be and which nobody else may use meanwhile. If an
-/// exploration of the same was begun there, it is gone on with; if it was finished, its results are returned. `stop` is asked
-/// now and then whether to stop; of the limits, that of memory is for what is held in memory.
+/// What is explored where.
+pub struct Task<'t> {
+    /// Made if need be. Nobody else may use it meanwhile.
+    pub folder: &'t Path,
+    /// Which exploration it is. If it was begun in the folder, it is gone on with; if it was finished there, its results are
+    /// returned.
+    pub origin: &'t Origin,
+    /// How much is held in memory.
+    pub budget: Budget,
+    /// Asked now and then whether to stop.
+    pub stop: &'t dyn Fn() -> bool,
+}
+
+/// Explores a specification with files in a folder. The limit of memory is for what is held in memory: the budget, and what is
+/// known of steps.
 ///
 /// # Errors
 /// See [`ExternalError`].
@@ -111,27 +121,12 @@ pub fn explore(
     spec: &Spec,
     semantics: Semantics,
     limits: &Limits,
-    folder: &Path,
-    origin: &Origin,
-    stop: &dyn Fn() -> bool,
-) -> Result<Census, ExternalError> {
-    explore_with(spec, semantics, limits, Plan::new(limits.memory), folder, origin, stop)
-}
-
-fn explore_with(
-    spec: &Spec,
-    semantics: Semantics,
-    limits: &Limits,
-    plan: Plan,
-    folder: &Path,
-    origin: &Origin,
-    stop: &dyn Fn() -> bool,
+    task: &Task<'_>,
 ) -> Result<Census, ExternalError> {
     let playout = Playout::new(spec, semantics);
     let mut playout =
         playout.map_err(|error| ExternalError::Explore(ExploreError::Play(error, Vec::new())))?;
-    let folder = Folder::open(folder)?;
-    let mut search = Search::open(&mut playout, folder, origin, limits, plan, stop)?;
+    let mut search = Search::open(&mut playout, limits, task)?;
     search.run()?;
     let (words, bytes) = search.size();
     let counts = &search.standing.counts;

@@ -1,7 +1,7 @@
 //! The breadth-first search: expand a layer, sort what it leads to, take away what was known, go on.
 
-use super::Plan;
-use super::checkpoint::{Origin, Standing, Unusable, decode, encode};
+use super::Task;
+use super::checkpoint::{Standing, Unusable, decode, encode};
 use super::error::{ExternalError, Progress, Result};
 use super::expand::{self, Block};
 use super::folder::Folder;
@@ -29,10 +29,8 @@ const PERIOD: u64 = 1 << 16;
 pub(super) struct Search<'x, 'p, 's> {
     tables: Tables<'p, 's>,
     folder: Folder,
-    origin: &'x Origin,
     limits: &'x Limits,
-    plan: Plan,
-    stop: &'x dyn Fn() -> bool,
+    task: &'x Task<'x>,
     pub(super) standing: Standing,
     visited: Vec<Visited>,
     /// Files that the last checkpoint names.
@@ -48,19 +46,13 @@ pub(super) struct Search<'x, 'p, 's> {
 
 impl<'x, 'p, 's> Search<'x, 'p, 's> {
     /// Stands where the checkpoint says, or at the initial state.
-    pub(super) fn open(
-        playout: &'p mut Playout<'s>,
-        folder: Folder,
-        origin: &'x Origin,
-        limits: &'x Limits,
-        plan: Plan,
-        stop: &'x dyn Fn() -> bool,
-    ) -> Result<Self> {
+    pub(super) fn open(playout: &'p mut Playout<'s>, limits: &'x Limits, task: &'x Task<'x>) -> Result<Self> {
+        let folder = Folder::open(task.folder)?;
         let initial = Tables::new(playout);
         let (mut tables, row) =
             initial.map_err(|error| ExternalError::Explore(ExploreError::Play(error, Vec::new())))?;
         let saved = folder.read_checkpoint()?;
-        let resumed = saved.map(|bytes| decode(&bytes, origin, &mut tables)).transpose();
+        let resumed = saved.map(|bytes| decode(&bytes, task.origin, &mut tables)).transpose();
         let resumed = resumed.map_err(|why| match why {
             Unusable::Other(what) => ExternalError::Other(folder.checkpoint(), what),
             Unusable::Damaged => {
@@ -69,13 +61,11 @@ impl<'x, 'p, 's> Search<'x, 'p, 's> {
         })?;
         let is_new = resumed.is_none();
         let mut search = Search {
-            recent: Recent::new(tables.words(), plan.recent(tables.words()).min(1 << 12)),
+            recent: Recent::new(tables.words(), task.budget.recent(tables.words()).min(1 << 12)),
             tables,
             folder,
-            origin,
             limits,
-            plan,
-            stop,
+            task,
             standing: resumed.unwrap_or_default(),
             visited: Vec::new(),
             named: BTreeSet::new(),
@@ -150,7 +140,7 @@ impl<'x, 'p, 's> Search<'x, 'p, 's> {
             self.expand(&mut read)?;
             self.standing.done += rows;
             self.since += rows;
-            if self.since >= self.plan.checkpoint {
+            if self.since >= self.task.budget.checkpoint {
                 self.checkpoint()?;
             }
             self.check()?;
@@ -216,7 +206,11 @@ impl<'x, 'p, 's> Search<'x, 'p, 's> {
                 self.candidates.extend_from_slice(row);
             }
         }
-        if self.candidates.len() * size_of::<u64>() >= self.plan.candidates { self.flush() } else { Ok(()) }
+        if self.candidates.len() * size_of::<u64>() >= self.task.budget.candidates {
+            self.flush()
+        } else {
+            Ok(())
+        }
     }
 
     /// Writes what was collected.
@@ -269,7 +263,7 @@ impl<'x, 'p, 's> Search<'x, 'p, 's> {
         let mut rows = 0_u64;
         'rows: while let Some(row) = merge.next()? {
             rows += 1;
-            if rows.is_multiple_of(PERIOD) && (self.stop)() {
+            if rows.is_multiple_of(PERIOD) && (self.task.stop)() {
                 return Err(self.stopped());
             }
             for probe in &mut probes {
@@ -312,8 +306,8 @@ impl<'x, 'p, 's> Search<'x, 'p, 's> {
     /// As many rows are remembered as there are states, as far as memory allows.
     fn remember_more(&mut self) {
         let (words, states) = (self.tables.words(), self.standing.states() as usize);
-        if 2 * self.recent.rows() <= self.plan.recent(words).min(states) {
-            self.recent = Recent::new(words, self.plan.recent(words).min(2 * states));
+        if 2 * self.recent.rows() <= self.task.budget.recent(words).min(states) {
+            self.recent = Recent::new(words, self.task.budget.recent(words).min(2 * states));
         }
     }
 
@@ -346,7 +340,7 @@ impl<'x, 'p, 's> Search<'x, 'p, 's> {
 
     /// Whether to go on.
     fn check(&mut self) -> Result<()> {
-        if (self.stop)() {
+        if (self.task.stop)() {
             self.checkpoint()?;
             return Err(self.stopped());
         }
@@ -363,7 +357,7 @@ impl<'x, 'p, 's> Search<'x, 'p, 's> {
         self.standing.visited = self.visited.iter().map(|visited| visited.segment).collect();
         let named = self.standing.files();
         let fresh: Vec<u64> = named.difference(&self.named).copied().collect();
-        self.folder.write_checkpoint(&encode(self.origin, &self.standing, &self.tables), &fresh)?;
+        self.folder.write_checkpoint(&encode(self.task.origin, &self.standing, &self.tables), &fresh)?;
         let before = std::mem::replace(&mut self.named, named);
         before.difference(&self.named).for_each(|&file| self.folder.remove(file));
         Ok(())
