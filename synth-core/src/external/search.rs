@@ -75,9 +75,9 @@ impl<'x, 'p, 's> Search<'x, 'p, 's> {
             learned: Block::default(),
         };
         if is_new {
-            search.begin(&row)?
+            search.begin(&row)?;
         } else {
-            search.go_on()?
+            search.go_on()?;
         }
         Ok(search)
     }
