@@ -15,7 +15,7 @@ pub(super) struct Counts {
     /// Some edge leads to the losing state, or to the won one.
     pub(super) lost: bool,
     pub(super) won: bool,
-    /// The sets of keys that are open somewhere.
+    /// Sets of keys that are open somewhere; their members are all the keys that are.
     pub(super) open: FixedBitSet,
 }
 
@@ -37,7 +37,7 @@ impl Counts {
             self.environment += 1;
             self.idle += u64::from(edges.is_empty());
         }
-        self.open.grow_and_insert(moves.open as usize);
+        successors.open_parts(row, &mut self.open);
         for edge in edges {
             match edge.end {
                 None => rows.extend_from_slice(moves.target(edge)),

@@ -1,7 +1,7 @@
 //! The moves of many rows, found by several threads.
 
 use super::counts::Counts;
-use crate::successors::{PackedMoves, Successors, UNKNOWN_SET};
+use crate::successors::{PackedMoves, Successors};
 use std::num::NonZeroUsize;
 use std::thread;
 
@@ -33,7 +33,7 @@ impl Block {
     fn fill(&mut self, successors: &Successors, rows: &[u64], first: usize) {
         self.clear();
         for (place, row) in (first..).zip(rows.chunks_exact(successors.layout().words())) {
-            if successors.moves(row, &mut self.moves).is_ok() && self.moves.open != UNKNOWN_SET {
+            if successors.moves(row, &mut self.moves).is_ok() {
                 self.counts.add(successors, row, &self.moves, &mut self.rows);
             } else {
                 self.missed.push(place);

@@ -5,7 +5,7 @@
 
 use super::bytes::{Source, put_numbers};
 use crate::playout::{EventId, PlayError, Playout};
-use crate::successors::{Layout, Learned, PackedMoves, Successors, UNKNOWN_SET, learn};
+use crate::successors::{Layout, Learned, PackedMoves, Successors, learn};
 
 /// A mistake, and the event that met it.
 pub(super) type Mistake = (Option<EventId>, PlayError);
@@ -25,8 +25,6 @@ pub(super) struct Tables<'p, 's> {
 enum Lesson {
     /// The moves of a row.
     Moves(Box<[u64]>),
-    /// The keys that are open in a row.
-    Open(Box<[u64]>),
     /// Room in rows for everything that did not fit since the last time.
     Widening,
 }
@@ -60,10 +58,6 @@ impl<'p, 's> Tables<'p, 's> {
             self.journal.push(Lesson::Moves(row.into()));
             return learn(&mut self.successors, self.playout, row, narrow, moves);
         }
-        if moves.open == UNKNOWN_SET {
-            self.journal.push(Lesson::Open(row.into()));
-            moves.open = self.successors.open_set(row);
-        }
         Ok(Learned::Moves)
     }
 
@@ -87,8 +81,7 @@ impl<'p, 's> Tables<'p, 's> {
         for lesson in &self.journal {
             let (kind, row): (u64, &[u64]) = match lesson {
                 Lesson::Moves(row) => (0, row),
-                Lesson::Open(row) => (1, row),
-                Lesson::Widening => (2, &[]),
+                Lesson::Widening => (1, &[]),
             };
             put_numbers(out, &[kind]);
             put_numbers(out, row);
@@ -101,7 +94,7 @@ impl<'p, 's> Tables<'p, 's> {
         let (mut moves, mut narrow) = (PackedMoves::default(), Vec::new());
         for _ in 0..source.number()? {
             let kind = source.number()?;
-            if kind == 2 {
+            if kind == 1 {
                 self.widen(&narrow);
                 narrow.clear();
                 continue;

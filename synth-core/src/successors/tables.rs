@@ -8,6 +8,7 @@ use crate::game::{KeySets, insert, words_for};
 use crate::intern::Indexed;
 use crate::model::{Kind, SlotId, Value};
 use crate::playout::{Config, CopyId, EventId, KeyId, Playout};
+use fixedbitset::FixedBitSet;
 
 /// The field that says whether the system has yielded since the last event.
 pub(super) const YIELDED: usize = 0;
@@ -318,6 +319,11 @@ impl Successors {
         let mut open = Vec::new();
         self.open_keys(row, &mut open);
         self.sets.intern_bits(&open)
+    }
+
+    /// Adds the sets whose union is open in a state. There are few of them, whereas unions may be as many as states.
+    pub(crate) fn open_parts(&self, row: &[u64], sets: &mut FixedBitSet) {
+        self.active(row, |group, _| sets.grow_and_insert(self.open[group as usize] as usize));
     }
 
     /// Whether the system has yielded since the last event.
