@@ -459,7 +459,7 @@ impl<'x, 'p, 's> Search<'x, 'p, 's> {
         let Tables { playout, successors, .. } = &self.tables;
         let mut keys: Vec<u32> = Vec::new();
         for set in self.standing.counts.open.ones() {
-            keys.extend_from_slice(successors.set(set as u32));
+            keys.extend(successors.key_sets().members(set as u32));
         }
         keys.sort_unstable();
         keys.dedup();
