@@ -88,9 +88,8 @@ impl Standing {
         put_numbers(out, &[*transitions, *system, *environment, *yielded, *idle]);
         put_numbers(out, &[u64::from(*lost), u64::from(*won)]);
         put_numbers(out, &[self.done, u64::from(self.finished), self.next_file]);
-        let open: Vec<u64> = open.ones().map(|set| set as u64).collect();
         put_numbers(out, &[open.len() as u64]);
-        put_numbers(out, &open);
+        put_numbers(out, open);
         for list in self.segments() {
             put_numbers(out, &[list.len() as u64]);
             for segment in list {
@@ -113,8 +112,7 @@ impl Standing {
         standing.finished = source.number()? != 0;
         standing.next_file = source.number()?;
         for _ in 0..source.number()? {
-            let set = u32::try_from(source.number()?).ok()?;
-            standing.counts.open.grow_and_insert(set as usize);
+            standing.counts.open.push(source.number()?);
         }
         for list in [&mut standing.layers, &mut standing.visited, &mut standing.runs] {
             for _ in 0..source.number()? {

@@ -2,7 +2,6 @@
 
 use crate::game::Turn;
 use crate::successors::{PackedMoves, Successors};
-use fixedbitset::FixedBitSet;
 
 /// Counts of states whose moves are known.
 #[derive(Clone, Debug, Default)]
@@ -15,8 +14,8 @@ pub(super) struct Counts {
     /// Some edge leads to the losing state, or to the won one.
     pub(super) lost: bool,
     pub(super) won: bool,
-    /// Sets of keys that are open somewhere; their members are all the keys that are.
-    pub(super) open: FixedBitSet,
+    /// Keys that are open somewhere, a bit for each.
+    pub(super) open: Vec<u64>,
 }
 
 impl Counts {
@@ -37,7 +36,7 @@ impl Counts {
             self.environment += 1;
             self.idle += u64::from(edges.is_empty());
         }
-        successors.open_parts(row, &mut self.open);
+        successors.open_too(row, &mut self.open);
         for edge in edges {
             match edge.end {
                 None => rows.extend_from_slice(moves.target(edge)),
@@ -56,13 +55,11 @@ impl Counts {
         self.idle += other.idle;
         self.lost |= other.lost;
         self.won |= other.won;
-        self.open.grow(other.open.len());
-        self.open.union_with(&other.open);
+        self.open.resize(self.open.len().max(other.open.len()), 0);
+        self.open.iter_mut().zip(&other.open).for_each(|(all, one)| *all |= one);
     }
 
     pub(super) fn clear(&mut self) {
-        let mut open = std::mem::take(&mut self.open);
-        open.clear();
-        *self = Counts { open, ..Counts::default() };
+        *self = Counts::default();
     }
 }

@@ -13,7 +13,7 @@ use super::tables::{Mistake, Tables};
 use super::visited::{Probe, Visited};
 use crate::explore::{ExploreError, LimitReached, Limits};
 use crate::game::YIELD;
-use crate::playout::Playout;
+use crate::playout::{KeyId, Playout};
 use crate::successors::{Learned, PackedMoves};
 use std::collections::BTreeSet;
 
@@ -456,15 +456,14 @@ impl<'x, 'p, 's> Search<'x, 'p, 's> {
 
     /// Keys of a kind that are open somewhere.
     pub(super) fn open_keys(&self, kind: crate::model::Kind) -> usize {
-        let Tables { playout, successors, .. } = &self.tables;
-        let mut keys: Vec<u32> = Vec::new();
-        for set in self.standing.counts.open.ones() {
-            keys.extend(successors.key_sets().members(set as u32));
-        }
-        keys.sort_unstable();
-        keys.dedup();
+        let Tables { playout, .. } = &self.tables;
+        let is_open = |key: KeyId| {
+            let word = self.standing.counts.open.get(key as usize / 64);
+            word.is_some_and(|word| word >> (key % 64) & 1 != 0)
+        };
         let spec = playout.spec();
-        keys.iter().filter(|&&key| spec.scenarios[playout.key(key).scenario].kind == kind).count()
+        let keys = (0..playout.key_count() as KeyId).filter(|&key| is_open(key));
+        keys.filter(|&key| spec.scenarios[playout.key(key).scenario].kind == kind).count()
     }
 
     /// Words of a row, and bytes on disk.

@@ -8,7 +8,6 @@ use crate::game::{KeySets, insert, words_for};
 use crate::intern::Indexed;
 use crate::model::{Kind, SlotId, Value};
 use crate::playout::{Config, CopyId, EventId, KeyId, Playout};
-use fixedbitset::FixedBitSet;
 
 /// The field that says whether the system has yielded since the last event.
 pub(super) const YIELDED: usize = 0;
@@ -321,9 +320,10 @@ impl Successors {
         self.sets.intern_bits(&open)
     }
 
-    /// Adds the sets whose union is open in a state. There are few of them, whereas unions may be as many as states.
-    pub(crate) fn open_parts(&self, row: &[u64], sets: &mut FixedBitSet) {
-        self.active(row, |group, _| sets.grow_and_insert(self.open[group as usize] as usize));
+    /// Adds the keys that are open in a state to those of others, a bit for each.
+    pub(crate) fn open_too(&self, row: &[u64], open: &mut Vec<u64>) {
+        open.resize(open.len().max(self.key_words), 0);
+        self.active(row, |group, _| self.add_open_keys(group, open));
     }
 
     /// Whether the system has yielded since the last event.
