@@ -2,9 +2,10 @@
 
 use crate::options::Format;
 use crate::output;
-use serde_json::json;
+use serde_json::{Value as Json, json};
 use std::process::ExitCode;
-use synth_core::diagnostic::{Code, Diagnostic, render, to_json};
+use synth_core::diagnostic::{Code, Diagnostic, counted, render, to_json};
+use synth_core::external::{ExternalError, Progress};
 use synth_core::pipeline;
 use synth_core::syntax::{Pos, Sources, Span};
 
@@ -21,6 +22,8 @@ pub(crate) enum Exit {
     Limit = 3,
     /// A file cannot be opened or written.
     File = 4,
+    /// Somebody asked to stop: 128 and the number of the signal of Ctrl-C.
+    Interrupted = 130,
 }
 
 impl From<Exit> for ExitCode {
@@ -106,6 +109,42 @@ impl Failure {
         Failure { exit, diagnostics, sources: sources.clone() }
     }
 
+    /// A failure of exploration on disk; `again` is what to do to go on.
+    pub(crate) fn of_external(error: ExternalError, sources: &Sources, again: &str) -> Self {
+        use ExternalError as E;
+        match error {
+            E::Explore(error) => Failure::of(&error.into(), sources),
+            E::Stopped(progress) => {
+                let Progress { states, explored, transitions, layers } = progress;
+                let found = format!(
+                    "found {}, {explored} of them explored, {}, up to {} from the initial state",
+                    counted(states as usize, "state"),
+                    counted(transitions as usize, "transition"),
+                    counted(layers, "step")
+                );
+                let error = nowhere(Code::Interrupted, "exploration was interrupted");
+                Failure::new(Exit::Interrupted, error.note(found).help(again.to_owned()))
+            }
+            E::Other(path, what) => {
+                let message = format!("`{}` is of {what}", path.display());
+                let help = "name another folder, or remove this one to begin anew";
+                Failure::new(Exit::Wrong, nowhere(Code::NotResumable, message).help(help))
+            }
+            E::Damaged(path, what) => {
+                let message = format!("`{}` is damaged: {what}", path.display());
+                let help = "remove the folder to begin anew";
+                Failure::new(Exit::Wrong, nowhere(Code::NotResumable, message).help(help))
+            }
+            E::Read(path, error) => Failure::unreadable(&path.display().to_string(), &error),
+            E::Write(path, error) => Failure::unwritable(&path.display().to_string(), &error),
+        }
+    }
+
+    /// Its diagnostics as JSON.
+    pub(crate) fn json(&self) -> Json {
+        to_json(&self.diagnostics, &self.sources)
+    }
+
     /// What is wrong with the specification, if that is what it is about.
     pub(crate) fn wrong(self) -> Result<Vec<Diagnostic>, Failure> {
         if self.exit == Exit::Wrong { Ok(self.diagnostics) } else { Err(self) }
@@ -124,8 +163,7 @@ impl Failure {
     pub(crate) fn report(&self, format: Format, color: bool) -> Exit {
         match format {
             Format::Json => {
-                let document =
-                    json!({ "version": 1, "diagnostics": to_json(&self.diagnostics, &self.sources) });
+                let document = json!({ "version": 1, "diagnostics": self.json() });
                 if let Err(failure) = output::print(&format!("{document}\n")) {
                     return failure.report(Format::Text, color);
                 }

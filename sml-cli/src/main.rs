@@ -7,6 +7,7 @@
 mod commands;
 mod failure;
 mod input;
+mod interrupt;
 mod options;
 mod output;
 mod session;

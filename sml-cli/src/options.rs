@@ -10,7 +10,7 @@ use synth_core::playout::Semantics;
 /// From scenario specifications to verified controllers.
 ///
 /// Exit codes: 0 done; 1 unrealizable, not verified, stale or not executable; 2 wrong content or wrong usage;
-/// 3 a limit was reached; 4 a file cannot be opened or written.
+/// 3 a limit was reached; 4 a file cannot be opened or written; 130 interrupted, and can be resumed.
 #[derive(Debug, Parser)]
 #[command(name = "sml", version, propagate_version = true)]
 pub(crate) struct Cli {

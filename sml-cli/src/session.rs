@@ -3,7 +3,7 @@
 use crate::failure::{Exit, Failure, nowhere};
 use crate::input::Given;
 use crate::options::{Color, Common, Format};
-use crate::{input, output, timings};
+use crate::{input, interrupt, output, timings};
 use std::io::IsTerminal;
 use std::path::Path;
 use std::sync::mpsc;
@@ -13,7 +13,8 @@ use synth_core::controller::{Controller, Level};
 use synth_core::diagnostic::{Code, Diagnostic};
 use synth_core::existential::{Existential, existential};
 use synth_core::explain::{Explanation, explain};
-use synth_core::explore::{Explored, explore};
+use synth_core::explore::{Explored, Limits, explore};
+use synth_core::external::{self, Budget, Census, Origin, Task};
 use synth_core::model::Spec;
 use synth_core::pipeline::{self, Options, Size, Solved, Timings, Verified};
 use synth_core::plant::pipeline::{Followed, ModularlySupervised, Supervised};
@@ -169,6 +170,31 @@ impl Session {
         let explored = explored.map_err(|error| Failure::of(&error.into(), &loaded.sources))?;
         self.timings.size(Size::of_game(&explored));
         Ok(explored)
+    }
+
+    /// Explores with files in a folder, unless somebody asks to stop.
+    pub(crate) fn census(&mut self, folder: &Path, loaded: &Loaded, spec: &Spec) -> Result<Census, Failure> {
+        let Options { semantics, limits, .. } = self.options(Level::default());
+        let origin = Origin::new(&loaded.sources, semantics);
+        let budget = Budget::of(limits.memory);
+        let task = Task { folder, origin: &origin, budget, stop: &interrupt::asked };
+        let explore = || external::explore(spec, semantics, &limits, &task);
+        let census = self.timings.stage("explore on disk", explore).map_err(|error| {
+            let again = format!("run the same command with `--spill {}` to go on", folder.display());
+            Failure::of_external(error, &loaded.sources, &again)
+        })?;
+        self.timings.size(Size {
+            states: census.states as usize,
+            edges: census.transitions as usize,
+            of_states: census.bytes as usize,
+            of_edges: 0,
+        });
+        Ok(census)
+    }
+
+    /// When to give up.
+    pub(crate) fn limits(&self) -> Limits {
+        self.common.limits()
     }
 
     pub(crate) fn solve<'s>(&mut self, loaded: &Loaded, spec: &'s Spec) -> Result<Solved<'s>, Failure> {

@@ -4,7 +4,7 @@
 //! [`syntax`] → [`model`] → [`playout`] and [`explore`] → [`game`] → [`controller`] → [`verify`] → [`emit`].
 //! A stage knows the types of the one before and nothing further back; none of them prints, reads the environment or
 //! touches the disk. That is left to the faces: [`embed`] for the macro, [`build`] for build scripts, both with a
-//! [`cache`], and the command `sml`.
+//! [`cache`], and the command `sml`; and to [`external`], which explores what memory does not hold.
 
 pub mod build;
 pub mod cache;
@@ -15,6 +15,7 @@ pub mod emit;
 pub mod existential;
 pub mod explain;
 pub mod explore;
+pub mod external;
 mod fnv;
 pub mod game;
 mod intern;

@@ -1,5 +1,6 @@
 //! `sml check`: verdict, figures, warnings, and why a specification is not realizable.
 
+mod spill;
 mod steps;
 
 use super::plant::{self, follow::Follow};
@@ -29,6 +30,10 @@ pub(crate) struct Arguments {
     /// If the specification is unrealizable: write the play that shows it as a Mermaid sequence diagram, `-` is stdout
     #[arg(long, value_name = "OUT")]
     sequence: Option<PathBuf>,
+    /// Explore with files in this folder, in as little memory as `--max-memory` says; go on with what was begun there.
+    /// Who wins is found out only if memory suffices for that
+    #[arg(long, value_name = "DIR")]
+    spill: Option<PathBuf>,
     /// Plants: what the controller goes by; `states` otherwise
     #[arg(long, value_enum)]
     follow: Option<Follow>,
@@ -91,12 +96,19 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     output::refuse(drawing, &arguments.file)?;
     let given = input::given(&arguments.file)?;
     if given.is_plant {
-        plant::refuse(&[("--sequence", drawing.is_some())])?;
+        plant::refuse(&[("--sequence", drawing.is_some()), ("--spill", arguments.spill.is_some())])?;
         return plant::check::run(&given, &arguments.warnings.policy(), arguments.follow, session);
     }
     plant::follow::refuse(arguments.follow)?;
     let loaded = session.parse(&given);
     let spec = session.specification(&loaded)?;
+    if let Some(folder) = &arguments.spill {
+        let census = spill::explore(folder, &loaded, &spec, session)?;
+        let memory = session.limits().memory;
+        if census.memory_to_solve() > memory as u64 {
+            return spill::report(&census, &spec, memory, session);
+        }
+    }
     let mut solved = session.solve(&loaded, &spec)?;
     let policy = arguments.warnings.policy();
     let mut report = examine(&loaded, &spec, &mut solved, session)?;

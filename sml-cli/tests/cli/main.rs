@@ -15,6 +15,8 @@ mod play_adversary;
 mod play_dialog;
 mod play_script;
 mod products;
+#[cfg(unix)]
+mod spill;
 mod stimulus;
 mod support;
 mod templates;

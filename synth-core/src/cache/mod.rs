@@ -34,7 +34,7 @@ pub trait Store {
 
 /// The hash that names entries and tells damaged ones: FNV-1a by words of eight bytes, the last one filled up with zeros, and the length.
 /// Any change within one word changes it.
-fn hash(bytes: &[u8]) -> u64 {
+pub(crate) fn hash(bytes: &[u8]) -> u64 {
     let mut hash = 0xcbf2_9ce4_8422_2325_u64 ^ bytes.len() as u64;
     for word in bytes.chunks(8) {
         let mut filled = [0; 8];

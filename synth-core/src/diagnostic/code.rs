@@ -354,6 +354,13 @@ codes! {
          a name that does not exist would hold or fail for ever, so it is refused before anything is played.\n\n\
          Wrong:  expect enabeld user -> lamp.press()\n\
          Right:  expect enabled user -> lamp.press()\n";
+    NotResumable = 111, "a checkpoint that cannot be resumed",
+        "The folder of `--spill` holds an exploration of another specification, with other options or by another version\n\
+         of the command, or files there are not what was written. Nothing was changed. Name another folder, or remove\n\
+         this one to begin anew. The exit code is 2.\n";
+    Interrupted = 112, "an exploration that was interrupted",
+        "Somebody asked the command to stop, by Ctrl-C or a signal. What was explored so far is in the folder of\n\
+         `--spill`; the same command goes on from there. The exit code is 130.\n";
 
     InitialState = 120, "an automaton without exactly one initial state",
         "Every automaton of a plant, component or constraint, starts in one state, which is written `initial state`. With\n\

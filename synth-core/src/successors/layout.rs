@@ -127,6 +127,14 @@ impl Layout {
         Layout { fields, words: word as usize + 1, first_slot: self.first_slot, slots, owner }
     }
 
+    /// Fields of so many bits each.
+    #[cfg(test)]
+    pub(crate) fn of_widths(widths: &[u32]) -> Layout {
+        let values: Vec<(u32, u32)> =
+            (0..).zip(widths).map(|(field, &width)| (field, ((1_u64 << width) - 1) as u32)).collect();
+        Layout::new(widths.len()).widened(&values)
+    }
+
     /// Writes a row of another layout, which may have fewer fields and narrower ones, into a cleared one of this.
     pub(crate) fn convert(&self, from: &Layout, old: &[u64], row: &mut [u64]) {
         for (field, to) in from.fields.iter().zip(&self.fields) {

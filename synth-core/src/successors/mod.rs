@@ -21,6 +21,7 @@ mod store;
 mod tables;
 mod trees;
 
+pub(crate) use layout::Layout;
 pub(crate) use learn::{Learned, learn};
 pub use moves::{Edge, PackedMoves};
 pub(crate) use rows::{PackedRows, hash_row, reserve};

@@ -320,6 +320,12 @@ impl Successors {
         self.sets.intern_bits(&open)
     }
 
+    /// Adds the keys that are open in a state to those of others, a bit for each.
+    pub(crate) fn open_too(&self, row: &[u64], open: &mut Vec<u64>) {
+        open.resize(open.len().max(self.key_words), 0);
+        self.active(row, |group, _| self.add_open_keys(group, open));
+    }
+
     /// Whether the system has yielded since the last event.
     pub(crate) fn yielded(&self, row: &[u64]) -> bool {
         self.layout.field(YIELDED).read(row) != 0
