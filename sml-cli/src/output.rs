@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use synth_core::emit::template;
 
@@ -22,9 +22,15 @@ pub(crate) fn refuse(output: Option<&Path>, input: &Path) -> Result<(), Failure>
     let Some(output) = output.filter(|path| path.is_file()) else { return Ok(()) };
     let is_input =
         fs::canonicalize(output).is_ok_and(|output| fs::canonicalize(input).is_ok_and(|i| i == output));
-    let is_template =
-        || fs::read(output).is_ok_and(|bytes| template::is_template(&String::from_utf8_lossy(&bytes)));
-    if is_input || is_template() { Err(overwritten(output)) } else { Ok(()) }
+    if is_input || is_template(output) { Err(overwritten(output)) } else { Ok(()) }
+}
+
+/// Whether a file is a secondary that was a template, which its head says; products can be very long.
+fn is_template(path: &Path) -> bool {
+    const HEAD: u64 = 1 << 18;
+    let mut head = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut head));
+    read.is_ok() && template::is_template(&String::from_utf8_lossy(&head))
 }
 
 /// What would be lost.
