@@ -16,12 +16,7 @@ pub(crate) fn share<T: Default + Send>(
     threads: usize,
     work: impl Fn(&mut T, Range<u32>) + Sync,
 ) -> usize {
-    let parts = match (range.len() / least.max(1)).max(1) {
-        // Asking the system takes longer than many a specification.
-        1 => 1,
-        most if threads == 0 => most.min(thread::available_parallelism().map_or(1, NonZeroUsize::get)),
-        most => most.min(threads),
-    };
+    let parts = threads_for(range.len() / least.max(1), threads);
     places.resize_with(places.len().max(parts), T::default);
     let size = range.len().div_ceil(parts) as u32;
     let part = |index: usize| {
@@ -43,6 +38,17 @@ pub(crate) fn share<T: Default + Send>(
         work(&mut first[0], part(0));
     });
     parts
+}
+
+/// On how many threads to do work for `most`: so many as are asked for, or as the machine runs at once if `threads` is 0, and one at
+/// least.
+pub(crate) fn threads_for(most: usize, threads: usize) -> usize {
+    match most.max(1) {
+        // Asking the system takes longer than many a specification.
+        1 => 1,
+        most if threads == 0 => most.min(thread::available_parallelism().map_or(1, NonZeroUsize::get)),
+        most => most.min(threads),
+    }
 }
 
 /// The first item of which `find` finds something, with its index; whoever finds it, the result is that of asking item by

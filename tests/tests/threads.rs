@@ -3,6 +3,7 @@
 use sml_tests::random::{Options as RandomOptions, specification};
 use sml_tests::{corpus, fast};
 use synth_core::explore::write_json;
+use synth_core::game::{solve, solve_on};
 use synth_core::pipeline::{Timings, synthesize};
 
 /// The game as JSON, and the controller, or why there is none.
@@ -49,6 +50,23 @@ fn on_random_specifications() {
     for seed in 0..40 {
         check(&format!("seed {seed}"), &specification(seed, RandomOptions::default()));
     }
+}
+
+/// Goals that are pursued ahead, behind one that loses states, count for nothing.
+#[test]
+fn solutions() {
+    let mut lost = 0;
+    for seed in 0..400 {
+        let spec = fast::resolved(&specification(seed, RandomOptions::default())).expect("a specification");
+        let Ok(solved) = fast::solved(&spec, &fast::options(seed % 2 == 0, 3_000)) else { continue };
+        let game = &solved.explored.game;
+        let one = solve(game);
+        lost += usize::from(one.winning_states() < game.states());
+        for threads in [2, 3, 8] {
+            assert_eq!(solve_on(game, threads), one, "seed {seed}, {threads} threads");
+        }
+    }
+    assert!(lost > 50, "{lost}");
 }
 
 /// Batches of this one are large enough for all of them: ten lamps, each on or off.

@@ -29,7 +29,7 @@ pub use keysets::{KeySets, KeySetsBuilder};
 pub(crate) use keysets::{insert, words_for};
 pub use paths::ShortestPaths;
 pub use separation::overpowered;
-pub use solve::{Solution, solve, solve_ending};
+pub use solve::{Solution, solve, solve_ending, solve_on};
 pub use strategy::Strategy;
 
 /// Whose turn it is in a state, by the rules of the language reference, section 4 (cases 1 to 6).

@@ -102,7 +102,9 @@ impl<'g> Pursuit<'g> {
         region: &FixedBitSet,
         progress: &mut FixedBitSet,
     ) -> &FixedBitSet {
+        // It may have been another goal's, or nobody's.
         progress.clear();
+        progress.grow(self.game.edges());
         self.known.clear();
         self.known.resize(assumptions.len(), None);
         self.start(goal, region);
@@ -122,9 +124,18 @@ impl<'g> Pursuit<'g> {
         &self.left
     }
 
-    /// The ranks of the last run; those of states in which its goal is not open have no meaning.
+    /// What the last run has left to the environment.
+    pub(super) fn left(&self) -> &FixedBitSet {
+        &self.left
+    }
+
+    /// The ranks of the last run; 0 where its goal is not open, or cannot be met.
     pub(super) fn into_ranks(self) -> Vec<u32> {
-        self.rank
+        let mut ranks = vec![0; self.rank.len()];
+        for state in self.good {
+            ranks[state as usize] = self.rank[state as usize];
+        }
+        ranks
     }
 
     /// The states of rank 1, and the choices of the others.

@@ -17,9 +17,10 @@
 
 use super::{Game, acceptance::Acceptance, predecessors::Predecessors, pursuit::Pursuit, region::Region};
 use fixedbitset::FixedBitSet;
+use std::thread;
 
 /// Who wins where, and the moves by which the system does.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Solution {
     /// The states from which the system wins.
     pub winning: FixedBitSet,
@@ -46,14 +47,26 @@ impl Solution {
     }
 }
 
-/// Solves the game.
+/// Solves the game, on one thread.
 ///
 /// Time is that of a few passes over the edges for each goal in practice, and quadratic in the number of states at
 /// worst. Memory beside the game: ten `u32` for a state, two for an edge, one bit for each pair of a key and a
 /// state and of a goal and an edge.
 #[must_use]
 pub fn solve(game: &Game) -> Solution {
-    solve_for(game, false)
+    solve_for(game, false, 1)
+}
+
+/// As [`solve`], with so many goals pursued at a time, each on a thread of its own; the result does not depend on it. Each takes
+/// eight `u32` for a state.
+///
+/// # Panics
+///
+/// If there are no threads.
+#[must_use]
+pub fn solve_on(game: &Game, threads: usize) -> Solution {
+    assert!(threads > 0, "somebody has to do it");
+    solve_for(game, false, threads)
 }
 
 /// Solves the game for a system that wants more: that every super step ends, in plays that are not fair to the
@@ -64,42 +77,72 @@ pub fn solve(game: &Game) -> Solution {
 /// only by super steps without end.
 #[must_use]
 pub fn solve_ending(game: &Game) -> Solution {
-    solve_for(game, true)
+    solve_for(game, true, 1)
 }
 
-fn solve_for(game: &Game, ending: bool) -> Solution {
+fn solve_for(game: &Game, ending: bool, threads: usize) -> Solution {
     let predecessors = Predecessors::new(game);
     let assumptions = Acceptance::assumptions(game);
     let goals = Acceptance::goals(game);
     let mut region = Region::new(game, &predecessors);
-    let mut pursuit = Pursuit::new(game, &predecessors, ending);
+    let new = |_| Pursuit::new(game, &predecessors, ending);
+    let mut pursuits: Vec<Pursuit<'_>> = (0..threads.min(goals.len())).map(new).collect();
     let super_steps = goals.len() - 1;
     // What may be avoided instead of meeting a goal.
     let avoidable = |goal: usize| if ending && goal == super_steps { &[] } else { assumptions.as_slice() };
     let mut progress = vec![FixedBitSet::with_capacity(game.edges()); goals.len()];
     let mut settled = vec![false; goals.len()];
-    let mut goal = 0;
-    // The goal that the pursuit was last run for, if it lost nothing.
+    let mut next = 0;
+    // The pursuit that was run last, if it lost nothing, and its goal.
     let mut last = None;
-    while settled.contains(&false) {
-        if !settled[goal] {
+    loop {
+        let rotation = (next..goals.len()).chain(0..next).filter(|&goal| !settled[goal]);
+        let together: Vec<usize> = rotation.take(pursuits.len()).collect();
+        if together.is_empty() {
+            break;
+        }
+        let run = |pursuit: &mut Pursuit<'_>, goal: usize, progress: &mut FixedBitSet| {
+            pursuit.run(&goals[goal], avoidable(goal), &region.states, progress);
+        };
+        let mut results: Vec<FixedBitSet> =
+            together.iter().map(|&goal| std::mem::take(&mut progress[goal])).collect();
+        thread::scope(|scope| {
+            let mut all = pursuits.iter_mut().zip(&together).zip(&mut results);
+            let first = all.next();
+            for ((pursuit, &goal), progress) in all {
+                scope.spawn(move || run(pursuit, goal, progress));
+            }
+            if let Some(((pursuit, &goal), progress)) = first {
+                run(pursuit, goal, progress);
+            }
+        });
+        for (&goal, result) in together.iter().zip(results) {
+            progress[goal] = result;
+        }
+        // As if they had been run one after the other: what was run behind the first that loses something was in vain.
+        for (pursuit, &goal) in together.iter().enumerate() {
             settled[goal] = true;
-            let lost = pursuit.run(&goals[goal], avoidable(goal), &region.states, &mut progress[goal]);
-            last = lost.is_clear().then_some(goal);
+            next = (goal + 1) % goals.len();
+            let lost = pursuits[pursuit].left();
+            last = lost.is_clear().then_some((pursuit, goal));
             if last.is_none() {
                 region.remove(game, &predecessors, lost);
                 for ((goal, progress), settled) in goals.iter().zip(&progress).zip(&mut settled) {
                     *settled = *settled && keeps_progress(game, &predecessors, &region, goal, progress);
                 }
+                break;
             }
         }
-        goal = (goal + 1) % goals.len();
     }
-    if last != Some(super_steps) {
-        let progress = &mut progress[super_steps];
-        pursuit.run(&goals[super_steps], avoidable(super_steps), &region.states, progress);
-    }
-    let remaining = pursuit.into_ranks();
+    let pursuit = match last {
+        Some((pursuit, goal)) if goal == super_steps => pursuit,
+        _ => {
+            let progress = &mut progress[super_steps];
+            pursuits[0].run(&goals[super_steps], avoidable(super_steps), &region.states, progress);
+            0
+        }
+    };
+    let remaining = pursuits.swap_remove(pursuit).into_ranks();
     Solution { winning: region.states, progress, remaining, ending }
 }
 

@@ -19,8 +19,9 @@ use crate::controller::{
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::explain::explain;
 use crate::explore::{Explored, Limits, explore};
-use crate::game::{Game, Solution, Strategy, extract, solve, solve_ending};
+use crate::game::{Game, Solution, Strategy, extract, solve_ending, solve_on};
 use crate::model::{Spec, resolve::resolve};
+use crate::parallel::threads_for;
 use crate::playout::Semantics;
 use crate::quality;
 use crate::successors::PackedMoves;
@@ -156,9 +157,16 @@ pub fn play_and_solve<'s>(
     let explored = timings.stage("explore", || explore(spec, options.semantics, &options.limits));
     let explored = explored?;
     timings.size(Size::of_game(&explored));
-    let solution = timings.stage("solve", || solve(&explored.game));
+    let solution =
+        timings.stage("solve", || solve_on(&explored.game, solving_threads(&explored.game, &options.limits)));
     timings.size(Size::of_nodes(solution.winning_states()));
     Ok(Solved { explored, solution, strategy: None })
+}
+
+/// A small game is solved before another thread has begun, and many threads would only wait for memory.
+fn solving_threads(game: &Game, limits: &Limits) -> usize {
+    const STATES_A_THREAD: usize = 4096;
+    threads_for(game.states() / STATES_A_THREAD, limits.threads).min(4)
 }
 
 /// A verified controller.
