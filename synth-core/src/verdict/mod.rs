@@ -1,0 +1,110 @@
+//! The verdict alone: who wins from the initial state, found out without exploring more than that takes.
+//!
+//! States are explored in some order, and always with all their moves. What was found but not explored counts in one
+//! game as lost for the system and in another as won (`partial`). A system that wins the first of them has a strategy
+//! that stays among explored states, so it wins the whole game; an environment that wins the second one does, too. Keys that
+//! are open in no explored state are never open in such a play, so it is fair to them. If neither is so, more is explored, in the end
+//! everything, and then both games are the whole one.
+//!
+//! What is explored next (`agenda`) decides how soon it ends.
+
+mod agenda;
+mod partial;
+
+use crate::explain::SILENCE;
+use crate::explore::{ExploreError, Limits};
+use crate::game::{Loss, Turn, counter_play, solve};
+use crate::model::Spec;
+use crate::playout::{Playout, Semantics};
+use agenda::{Agenda, Side};
+use partial::Partial;
+
+/// How many states are explored before the first look at who wins, and how many times as many before the next.
+const FIRST_BUDGET: usize = 64;
+const GROWTH: usize = 4;
+
+/// Who wins, and what that took.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Verdict {
+    /// The system wins from the initial state.
+    pub realizable: bool,
+    /// States that were found. The losing state, and the won one, do not count.
+    pub found: usize,
+    /// Those of them whose moves were looked at.
+    pub explored: usize,
+    /// The moves of these.
+    pub transitions: usize,
+    /// Bytes held for states, and for edges.
+    pub memory: (usize, usize),
+    /// If it is not realizable: a play that the environment can force.
+    pub forced: Option<Forced>,
+}
+
+/// A play that the environment wins.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Forced {
+    /// Event texts; a yield is `yield`.
+    pub play: Vec<String>,
+    /// What is then repeated for ever; the single text `silence` if nothing happens any more. Empty if a guarantee is
+    /// violated at the end of `play`.
+    pub cycle: Vec<String>,
+}
+
+impl Verdict {
+    /// Everything was explored.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.found == self.explored
+    }
+}
+
+/// Finds out whether a specification is realizable. It does not depend on [`Limits::threads`].
+///
+/// # Errors
+/// A mistake of the specification that a play reaches (only some plays are looked at, and this one need not be the shortest), or a limit.
+pub fn verdict(spec: &Spec, semantics: Semantics, limits: &Limits) -> Result<Verdict, ExploreError> {
+    let mut playout =
+        Playout::new(spec, semantics).map_err(|error| ExploreError::Play(error, Vec::new()))?;
+    let mut partial = Partial::new(&mut playout)?;
+    let mut agenda = Agenda::default();
+    let mut budget = FIRST_BUDGET;
+    loop {
+        // Whether the system wins can only show where all that the environment can do was followed.
+        if agenda.follow(Side::System, &mut partial, budget, limits)? {
+            let winning = solve(&partial.game(Turn::Lost)).winning;
+            if winning.contains(0) {
+                return Ok(found(&partial, true, None));
+            }
+            agenda.is_won(&winning, partial.explored());
+        }
+        agenda.follow(Side::Environment, &mut partial, budget, limits)?;
+        let game = partial.game(Turn::Won);
+        let solution = solve(&game);
+        if !solution.wins(0) {
+            let forced = counter_play(&game, &solution).map(|counter| {
+                let texts = |edges: &[u32]| -> Vec<String> {
+                    edges.iter().map(|&edge| partial.text(edge).to_owned()).collect()
+                };
+                let mut cycle = texts(&counter.cycle);
+                if cycle.is_empty() && counter.loss != Loss::Violation {
+                    cycle.push(SILENCE.to_owned());
+                }
+                Forced { play: texts(&counter.play), cycle }
+            });
+            return Ok(found(&partial, false, forced));
+        }
+        agenda.is_lost(&solution.winning, partial.explored());
+        budget *= GROWTH;
+    }
+}
+
+fn found(partial: &Partial<'_, '_>, realizable: bool, forced: Option<Forced>) -> Verdict {
+    Verdict {
+        realizable,
+        found: partial.found(),
+        explored: partial.explored(),
+        transitions: partial.edges(),
+        memory: (partial.memory_of_states(), partial.memory_of_edges()),
+        forced,
+    }
+}
