@@ -22,6 +22,7 @@ use synth_core::plant::{self, ClosedLoop, Plant, Synthesis};
 use synth_core::playout::Semantics;
 use synth_core::quality::{self, Policy};
 use synth_core::syntax::{Loaded, Sources};
+use synth_core::verdict::Verdict;
 
 /// Options and clock.
 pub(crate) struct Session {
@@ -201,6 +202,13 @@ impl Session {
         let options = self.options(Level::default());
         let solved = pipeline::play_and_solve(spec, &options, &mut self.timings);
         solved.map_err(|failure| Failure::of(&failure, &loaded.sources))
+    }
+
+    /// Who wins, and no more.
+    pub(crate) fn verdict(&mut self, loaded: &Loaded, spec: &Spec) -> Result<Verdict, Failure> {
+        let options = self.options(Level::default());
+        let verdict = pipeline::verdict(spec, &options, &mut self.timings);
+        verdict.map_err(|failure| Failure::of(&failure, &loaded.sources))
     }
 
     pub(crate) fn synthesize(

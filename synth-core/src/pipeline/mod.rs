@@ -26,6 +26,7 @@ use crate::playout::Semantics;
 use crate::quality;
 use crate::successors::PackedMoves;
 use crate::syntax::Loaded;
+use crate::verdict::{self, Verdict};
 use crate::verify::{batches, verify};
 use std::rc::Rc;
 
@@ -167,6 +168,16 @@ pub fn play_and_solve<'s>(
 fn solving_threads(game: &Game, limits: &Limits) -> usize {
     const STATES_A_THREAD: usize = 4096;
     threads_for(game.states() / STATES_A_THREAD, limits.threads).min(4)
+}
+
+/// Who wins, found out without exploring more than that takes.
+///
+/// # Errors
+/// A mistake that a play reaches, or a limit.
+pub fn verdict(spec: &Spec, options: &Options, timings: &mut Timings) -> Result<Verdict, Failure> {
+    let verdict = timings.stage("decide", || verdict::verdict(spec, options.semantics, &options.limits))?;
+    timings.size(verdict.size);
+    Ok(verdict)
 }
 
 /// A verified controller.

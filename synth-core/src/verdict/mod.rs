@@ -15,11 +15,13 @@ use crate::explain::SILENCE;
 use crate::explore::{ExploreError, Limits};
 use crate::game::{Loss, Turn, counter_play, solve};
 use crate::model::Spec;
+use crate::pipeline::Size;
 use crate::playout::{Playout, Semantics};
 use agenda::{Agenda, Side};
 use partial::Partial;
 
-/// How many states are explored before the first look at who wins, and how many times as many before the next.
+/// So many states are explored at most before the first look at who wins, and before each further look so many times as
+/// many. All looks together take about as long as one at everything.
 const FIRST_BUDGET: usize = 64;
 const GROWTH: usize = 4;
 
@@ -34,8 +36,8 @@ pub struct Verdict {
     pub explored: usize,
     /// The moves of these.
     pub transitions: usize,
-    /// Bytes held for states, and for edges.
-    pub memory: (usize, usize),
+    /// What was held in the end.
+    pub size: Size,
     /// If it is not realizable: a play that the environment can force.
     pub forced: Option<Forced>,
 }
@@ -63,8 +65,7 @@ impl Verdict {
 /// # Errors
 /// A mistake of the specification that a play reaches (only some plays are looked at, and this one need not be the shortest), or a limit.
 pub fn verdict(spec: &Spec, semantics: Semantics, limits: &Limits) -> Result<Verdict, ExploreError> {
-    let mut playout =
-        Playout::new(spec, semantics).map_err(|error| ExploreError::Play(error, Vec::new()))?;
+    let mut playout = Playout::new(spec, semantics).map_err(|error| ExploreError::Play(error, Vec::new()))?;
     let mut partial = Partial::new(&mut playout)?;
     let mut agenda = Agenda::default();
     let mut budget = FIRST_BUDGET;
@@ -77,7 +78,8 @@ pub fn verdict(spec: &Spec, semantics: Semantics, limits: &Limits) -> Result<Ver
             }
             agenda.is_won(&winning, partial.explored());
         }
-        agenda.follow(Side::Environment, &mut partial, budget, limits)?;
+        // What an environment with few choices can do shows soon, and is in vain if the system wins.
+        agenda.follow(Side::Environment, &mut partial, budget / GROWTH, limits)?;
         let game = partial.game(Turn::Won);
         let solution = solve(&game);
         if !solution.wins(0) {
@@ -104,7 +106,12 @@ fn found(partial: &Partial<'_, '_>, realizable: bool, forced: Option<Forced>) ->
         found: partial.found(),
         explored: partial.explored(),
         transitions: partial.edges(),
-        memory: (partial.memory_of_states(), partial.memory_of_edges()),
+        size: Size {
+            states: partial.found(),
+            edges: partial.edges(),
+            of_states: partial.memory_of_states(),
+            of_edges: partial.memory_of_edges(),
+        },
         forced,
     }
 }

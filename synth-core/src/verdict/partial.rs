@@ -187,7 +187,8 @@ impl<'p, 's> Partial<'p, 's> {
                 *first = Some(edge as u32);
             }
         }
-        let mut play: Vec<String> = event.map(|event| self.playout.text(Some(event)).to_owned()).into_iter().collect();
+        let mut play: Vec<String> =
+            event.map(|event| self.playout.text(Some(event)).to_owned()).into_iter().collect();
         let mut at = state;
         // A state is found before it is explored, so this goes back in time.
         while at != 0
