@@ -162,5 +162,5 @@ fn the_verdict_alone_has_nothing_to_warn_of() {
         assert_eq!(sml(&format!("check memory/spec.sml --verdict {option}")).code, 2, "{option}");
     }
     let run = sml("check ../plants/tank.plant --verdict --format json");
-    assert_eq!((run.code, &*run.diagnostic()), (2, "SML0101"));
+    assert_eq!((run.code, &*run.diagnostic()), (2, "SML0100"));
 }
