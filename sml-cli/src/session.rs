@@ -211,6 +211,17 @@ impl Session {
         verdict.map_err(|failure| Failure::of(&failure, &loaded.sources))
     }
 
+    /// As much of the game as the system needs to win; `None` if that was everything.
+    pub(crate) fn solve_early<'s>(
+        &mut self,
+        loaded: &Loaded,
+        spec: &'s Spec,
+    ) -> Result<(Solved<'s>, Option<Verdict>), Failure> {
+        let options = self.options(Level::default());
+        let solved = pipeline::play_and_solve_early(spec, &options, &mut self.timings);
+        solved.map_err(|failure| Failure::of(&failure, &loaded.sources))
+    }
+
     pub(crate) fn synthesize(
         &mut self,
         loaded: &Loaded,

@@ -12,8 +12,8 @@ mod agenda;
 mod partial;
 
 use crate::explain::SILENCE;
-use crate::explore::{ExploreError, Limits};
-use crate::game::{Loss, Turn, counter_play, solve};
+use crate::explore::{ExploreError, Explored, Limits};
+use crate::game::{CounterPlay, Game, Loss, Solution, Turn, counter_play, solve};
 use crate::model::Spec;
 use crate::pipeline::Size;
 use crate::playout::{Playout, Semantics};
@@ -63,46 +63,85 @@ impl Verdict {
 /// Finds out whether a specification is realizable. It does not depend on [`Limits::threads`].
 ///
 /// # Errors
-/// A mistake of the specification that a play reaches (only some plays are looked at, and this one need not be the shortest), or a limit.
+/// A mistake of the specification that a play reaches (only some plays are looked at, and this one need not be the shortest),
+/// or a limit.
 pub fn verdict(spec: &Spec, semantics: Semantics, limits: &Limits) -> Result<Verdict, ExploreError> {
     let mut playout = Playout::new(spec, semantics).map_err(|error| ExploreError::Play(error, Vec::new()))?;
     let mut partial = Partial::new(&mut playout)?;
+    Ok(decide(&mut partial, limits)?.0)
+}
+
+/// A game that is part of that of a specification, and in which the system wins.
+#[derive(Debug)]
+pub struct WinningPart<'s> {
+    /// What was explored. States that were found, but not explored, are the losing state.
+    pub explored: Explored<'s>,
+    /// Where the system wins. Its strategies win the whole game, too.
+    pub solution: Solution,
+}
+
+/// The same as [`verdict`], and if the specification is realizable, what was explored to know it.
+///
+/// # Errors
+/// As for [`verdict`].
+pub fn winning_part<'s>(
+    spec: &'s Spec,
+    semantics: Semantics,
+    limits: &Limits,
+) -> Result<(Verdict, Option<WinningPart<'s>>), ExploreError> {
+    let mut playout = Playout::new(spec, semantics).map_err(|error| ExploreError::Play(error, Vec::new()))?;
+    let mut partial = Partial::new(&mut playout)?;
+    let (verdict, won) = decide(&mut partial, limits)?;
+    let store = partial.into_store();
+    let part = won.map(|(game, solution)| {
+        let explored = Explored { playout, store, game };
+        WinningPart { explored, solution }
+    });
+    Ok((verdict, part))
+}
+
+/// Explores until the verdict is certain; the game that the system wins, and how.
+fn decide(
+    partial: &mut Partial<'_, '_>,
+    limits: &Limits,
+) -> Result<(Verdict, Option<(Game, Solution)>), ExploreError> {
     let mut agenda = Agenda::default();
     let mut budget = FIRST_BUDGET;
     loop {
         // Whether the system wins can only show where all that the environment can do was followed.
-        if agenda.follow(Side::System, &mut partial, budget, limits)? {
-            let winning = solve(&partial.game(Turn::Lost)).winning;
-            if winning.contains(0) {
-                return Ok(found(&partial, true, None));
+        if agenda.follow(Side::System, partial, budget, limits)? {
+            let game = partial.game(Turn::Lost);
+            let solution = solve(&game);
+            if solution.wins(game.initial) {
+                return Ok((found(partial, None), Some((game, solution))));
             }
-            agenda.is_won(&winning, partial.explored());
+            agenda.is_won(&solution.winning, partial.explored());
         }
         // What an environment with few choices can do shows soon, and is in vain if the system wins.
-        agenda.follow(Side::Environment, &mut partial, budget / GROWTH, limits)?;
+        agenda.follow(Side::Environment, partial, budget / GROWTH, limits)?;
         let game = partial.game(Turn::Won);
         let solution = solve(&game);
-        if !solution.wins(0) {
-            let forced = counter_play(&game, &solution).map(|counter| {
-                let texts = |edges: &[u32]| -> Vec<String> {
-                    edges.iter().map(|&edge| partial.text(edge).to_owned()).collect()
-                };
-                let mut cycle = texts(&counter.cycle);
-                if cycle.is_empty() && counter.loss != Loss::Violation {
-                    cycle.push(SILENCE.to_owned());
-                }
-                Forced { play: texts(&counter.play), cycle }
-            });
-            return Ok(found(&partial, false, forced));
+        if let Some(counter) = counter_play(&game, &solution) {
+            return Ok((found(partial, Some(forced(partial, &counter))), None));
         }
         agenda.is_lost(&solution.winning, partial.explored());
         budget *= GROWTH;
     }
 }
 
-fn found(partial: &Partial<'_, '_>, realizable: bool, forced: Option<Forced>) -> Verdict {
+fn forced(partial: &Partial<'_, '_>, counter: &CounterPlay) -> Forced {
+    let texts =
+        |edges: &[u32]| -> Vec<String> { edges.iter().map(|&edge| partial.text(edge).to_owned()).collect() };
+    let mut cycle = texts(&counter.cycle);
+    if cycle.is_empty() && counter.loss != Loss::Violation {
+        cycle.push(SILENCE.to_owned());
+    }
+    Forced { play: texts(&counter.play), cycle }
+}
+
+fn found(partial: &Partial<'_, '_>, forced: Option<Forced>) -> Verdict {
     Verdict {
-        realizable,
+        realizable: forced.is_none(),
         found: partial.found(),
         explored: partial.explored(),
         transitions: partial.edges(),

@@ -174,6 +174,13 @@ impl<'p, 's> Partial<'p, 's> {
         }
     }
 
+    /// The explored states, with their places as numbers.
+    pub(super) fn into_store(self) -> StateStore {
+        let Partial { mut store, state, .. } = self;
+        store.select(&state);
+        store
+    }
+
     /// The text of an edge.
     pub(super) fn text(&self, edge: u32) -> &str {
         self.playout.text(event_of(self.actions.label(self.action[edge as usize])))
