@@ -1,12 +1,14 @@
-//! The verdict that is found without exploring everything is that of the whole game, and often found early.
+//! The verdict that is found without exploring everything is that of the whole game, and often found early. So are strategies.
 
 use sml_tests::families::{arbiter, cabins, lift, line};
 use sml_tests::random::{Features, Options as RandomOptions, specification};
 use sml_tests::{corpus, fast};
+use synth_core::controller::{Controller, Level};
 use synth_core::explain::SILENCE;
 use synth_core::explore::{ExploreError, Limits, explore};
 use synth_core::game::Turn;
-use synth_core::pipeline::{Failure, Options, Solved};
+use synth_core::model::Spec;
+use synth_core::pipeline::{Failure, Options, Solved, Timings, Verified, play_and_solve_early, synthesize};
 use synth_core::verdict::{Forced, Verdict, verdict};
 
 /// How many specifications of a kind there were, and how many of these were decided early.
@@ -216,4 +218,79 @@ fn nothing_depends_on_threads() {
             .expect("decided")
     };
     assert_eq!(with(1), with(8));
+}
+
+/// A controller from as much of the game as it takes, and the states that were explored if these are not all.
+fn early(spec: &Spec, options: &Options) -> (Result<Controller, Failure>, Option<usize>) {
+    let timings = &mut Timings::default();
+    match play_and_solve_early(spec, options, timings) {
+        Ok((mut solved, searched)) => {
+            let made = synthesize(&mut solved, options, timings);
+            (made.map(|Verified { controller, .. }| controller), searched.map(|verdict| verdict.explored))
+        }
+        Err(failure) => (Err(failure), None),
+    }
+}
+
+/// Checks that there is an early controller if there is one at all; it was verified like every other. Whether not everything was
+/// explored for it.
+#[track_caller]
+fn has_early_controller(name: &str, text: &str, options: &Options) -> bool {
+    let Ok(spec) = fast::resolved(text) else { return false };
+    let (found, explored) = early(&spec, options);
+    let mut solved = match fast::solved(&spec, options) {
+        Ok(solved) => solved,
+        Err(Failure::Wrong(_) | Failure::Limit(_)) => return false,
+        Err(failure) => panic!("{name}: {failure:?}"),
+    };
+    let expected = synthesize(&mut solved, options, &mut Timings::default());
+    match (&found, &expected) {
+        (Ok(found), Ok(Verified { controller, .. })) => {
+            let known = |controller: &Controller| -> Vec<String> {
+                controller.events.iter().map(|event| event.text.clone()).collect()
+            };
+            let all = known(controller);
+            assert!(known(found).iter().all(|event| all.contains(event)), "{name}\n{text}");
+        }
+        (Err(Failure::Unrealizable(found)), Err(Failure::Unrealizable(expected))) => {
+            assert_eq!(found, expected, "{name}");
+        }
+        // Super steps without end; too many events in a scan.
+        (Err(Failure::Wrong(_)), Err(Failure::Wrong(_)))
+        | (Err(Failure::Limit(_)), Err(Failure::Limit(_))) => {}
+        _ => panic!("{name}: {found:?}, but {expected:?}\n{text}"),
+    }
+    explored.is_some_and(|explored| explored < solved.explored.store.len())
+}
+
+#[test]
+fn early_controllers_of_the_corpus() {
+    for level in [Level::None, Level::Exact, Level::Assume, Level::Ordered] {
+        let options = Options { level, ..fast::options(false, 20_000) };
+        let all = corpus::all();
+        let early =
+            all.iter().filter(|entry| has_early_controller(&entry.name, &entry.text, &options)).count();
+        assert!(early >= 8, "{early}");
+    }
+}
+
+#[test]
+fn early_controllers_of_random_specifications() {
+    let mut count = 0;
+    for seed in 3_000..3_300 {
+        let text = specification(seed, RandomOptions::default());
+        let options = fast::options(seed % 2 == 1, 3_000);
+        count += usize::from(has_early_controller(&format!("seed {seed}"), &text, &options));
+    }
+    assert!(count > 30, "{count}");
+}
+
+/// Within a limit that is too low for all of it.
+#[test]
+fn an_early_controller_of_a_line_that_may_wait() {
+    let spec = fast::resolved(&slow_line(2)).expect("a specification");
+    let options = fast::options(false, 8_000);
+    let (controller, explored) = early(&spec, &options);
+    assert!(controller.is_ok() && explored.is_some_and(|states| states < 4_000), "{explored:?}");
+    assert!(matches!(fast::solved(&spec, &options), Err(Failure::Limit(_))));
 }

@@ -42,8 +42,9 @@ impl Agenda {
         limits: &Limits,
     ) -> Result<bool, ExploreError> {
         let breadth = BREADTHS[self.breadth[side as usize]];
-        let end = partial.explored() + budget;
+        let end = partial.explored().saturating_add(budget);
         let mut reached = FixedBitSet::with_capacity(partial.found());
+        reached.insert(0);
         let mut queue: VecDeque<StateId> = VecDeque::from([0]);
         while let Some(state) = queue.pop_front() {
             let place = match partial.place(state) {
@@ -94,12 +95,12 @@ impl Agenda {
     }
 
     /// The system wins at these places.
-    pub(super) fn is_won(&mut self, winning: &FixedBitSet, places: usize) {
+    pub(super) fn note_won(&mut self, winning: &FixedBitSet, places: usize) {
         (0..places).filter(|&place| winning.contains(place)).for_each(|place| self.won.insert(place));
     }
 
     /// The environment wins at all places but these.
-    pub(super) fn is_lost(&mut self, winning: &FixedBitSet, places: usize) {
+    pub(super) fn note_lost(&mut self, winning: &FixedBitSet, places: usize) {
         (0..places).filter(|&place| !winning.contains(place)).for_each(|place| self.lost.insert(place));
     }
 }

@@ -115,7 +115,7 @@ fn decide(
             if solution.wins(game.initial) {
                 return Ok((found(partial, None), Some((game, solution))));
             }
-            agenda.is_won(&solution.winning, partial.explored());
+            agenda.note_won(&solution.winning, partial.explored());
         }
         // What an environment with few choices can do shows soon, and is in vain if the system wins.
         agenda.follow(Side::Environment, partial, budget / GROWTH, limits)?;
@@ -124,8 +124,8 @@ fn decide(
         if let Some(counter) = counter_play(&game, &solution) {
             return Ok((found(partial, Some(forced(partial, &counter))), None));
         }
-        agenda.is_lost(&solution.winning, partial.explored());
-        budget *= GROWTH;
+        agenda.note_lost(&solution.winning, partial.explored());
+        budget = budget.saturating_mul(GROWTH);
     }
 }
 

@@ -209,7 +209,7 @@ impl<'p, 's> Partial<'p, 's> {
     }
 
     /// Whether one more state may be explored.
-    pub(super) fn check(&self, limits: &Limits) -> Result<(), ExploreError> {
+    fn check(&self, limits: &Limits) -> Result<(), ExploreError> {
         if self.found() > limits.states {
             return Err(self.limit("states", limits.states));
         }
@@ -234,7 +234,7 @@ impl<'p, 's> Partial<'p, 's> {
     }
 
     /// Bytes held.
-    pub(super) fn memory(&self) -> usize {
+    fn memory(&self) -> usize {
         self.memory_of_states() + self.memory_of_edges()
     }
 
