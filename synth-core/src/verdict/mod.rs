@@ -154,3 +154,41 @@ fn found(partial: &Partial<'_, '_>, forced: Option<Forced>) -> Verdict {
         forced,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::{spec, world};
+
+    /// States found, those explored, and the play of an environment that wins.
+    #[track_caller]
+    fn check(body: &str, expect: (usize, usize, &str)) {
+        let spec = spec(&world(body));
+        let Verdict { found, explored, forced, .. } =
+            verdict(&spec, Semantics::default(), &Limits::default()).expect("a verdict");
+        let forced =
+            forced.map(|Forced { play, cycle }| format!("{} | {}", play.join(", "), cycle.join(", ")));
+        assert_eq!((found, explored, &*forced.unwrap_or_default()), expect);
+    }
+
+    #[test]
+    fn a_system_that_wins_at_once_need_not_yield() {
+        check("guarantee scenario G { user -> control.press() eventually control -> lamp.on() }", (3, 2, ""));
+    }
+
+    #[test]
+    fn an_environment_wins_by_silence() {
+        check(
+            "guarantee scenario G { user -> control.press() monitored eventually user -> control.release() }",
+            (2, 2, "user -> control.press() | silence"),
+        );
+    }
+
+    #[test]
+    fn nothing_is_explored_behind_a_violation() {
+        let forbidden = "guarantee scenario F { user -> control.press() user -> control.release() }
+            constraints [ forbidden user -> control.press() ]";
+        let tick = "guarantee scenario T { user -> control.tick() urgent control -> lamp.on() }";
+        check(&format!("{forbidden}\n{tick}"), (4, 3, "user -> control.press(), user -> control.press() | "));
+    }
+}
