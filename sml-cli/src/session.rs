@@ -22,6 +22,7 @@ use synth_core::plant::{self, ClosedLoop, Plant, Synthesis};
 use synth_core::playout::Semantics;
 use synth_core::quality::{self, Policy};
 use synth_core::syntax::{Loaded, Sources};
+use synth_core::verdict::Verdict;
 
 /// Options and clock.
 pub(crate) struct Session {
@@ -200,6 +201,24 @@ impl Session {
     pub(crate) fn solve<'s>(&mut self, loaded: &Loaded, spec: &'s Spec) -> Result<Solved<'s>, Failure> {
         let options = self.options(Level::default());
         let solved = pipeline::play_and_solve(spec, &options, &mut self.timings);
+        solved.map_err(|failure| Failure::of(&failure, &loaded.sources))
+    }
+
+    /// Who wins, and no more.
+    pub(crate) fn verdict(&mut self, loaded: &Loaded, spec: &Spec) -> Result<Verdict, Failure> {
+        let options = self.options(Level::default());
+        let verdict = pipeline::verdict(spec, &options, &mut self.timings);
+        verdict.map_err(|failure| Failure::of(&failure, &loaded.sources))
+    }
+
+    /// As much of the game as the system needs to win; `None` if that was everything.
+    pub(crate) fn solve_early<'s>(
+        &mut self,
+        loaded: &Loaded,
+        spec: &'s Spec,
+    ) -> Result<(Solved<'s>, Option<Verdict>), Failure> {
+        let options = self.options(Level::default());
+        let solved = pipeline::play_and_solve_early(spec, &options, &mut self.timings);
         solved.map_err(|failure| Failure::of(&failure, &loaded.sources))
     }
 

@@ -31,4 +31,5 @@ mod suggest;
 pub mod syntax;
 #[cfg(test)]
 mod testing;
+pub mod verdict;
 pub mod verify;

@@ -2,6 +2,7 @@
 
 mod spill;
 mod steps;
+mod verdict;
 
 use super::plant::{self, follow::Follow};
 use crate::failure::{Exit, Failure};
@@ -34,6 +35,9 @@ pub(crate) struct Arguments {
     /// Who wins is found out only if memory suffices for that
     #[arg(long, value_name = "DIR")]
     spill: Option<PathBuf>,
+    /// Only say whether the specification is realizable, and explore no more than that takes: neither figures nor warnings
+    #[arg(long, conflicts_with_all = ["deny", "deny_warnings", "allow", "sequence", "spill", "follow"])]
+    verdict: bool,
     /// Plants: what the controller goes by; `states` otherwise
     #[arg(long, value_enum)]
     follow: Option<Follow>,
@@ -96,11 +100,18 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     output::refuse(drawing, &arguments.file)?;
     let given = input::given(&arguments.file)?;
     if given.is_plant {
-        plant::refuse(&[("--sequence", drawing.is_some()), ("--spill", arguments.spill.is_some())])?;
+        plant::refuse(&[
+            ("--sequence", drawing.is_some()),
+            ("--spill", arguments.spill.is_some()),
+            ("--verdict", arguments.verdict),
+        ])?;
         return plant::check::run(&given, &arguments.warnings.policy(), arguments.follow, session);
     }
     plant::follow::refuse(arguments.follow)?;
     let loaded = session.parse(&given);
+    if arguments.verdict {
+        return verdict::run(&loaded, session);
+    }
     let spec = session.specification(&loaded)?;
     if let Some(folder) = &arguments.spill {
         let census = spill::explore(folder, &loaded, &spec, session)?;

@@ -8,6 +8,7 @@ use crate::warnings::{self, Warnings};
 use std::path::PathBuf;
 use synth_core::controller::json::to_json;
 use synth_core::diagnostic::counted;
+use synth_core::verdict::Verdict;
 
 /// Arguments of `sml synth`.
 #[derive(Debug, clap::Args)]
@@ -17,6 +18,9 @@ pub(crate) struct Arguments {
     /// Where to write; stdout otherwise
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    /// Explore only until the system is known to win, and take the strategy found there; the controller knows no other events
+    #[arg(long, conflicts_with_all = ["deny", "deny_warnings"])]
+    early: bool,
     #[command(flatten)]
     minimize: Minimize,
     #[command(flatten)]
@@ -28,7 +32,11 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     output::refuse(arguments.output.as_deref(), &arguments.file)?;
     let loaded = session.load(&arguments.file)?;
     let spec = session.specification(&loaded)?;
-    let mut solved = session.solve(&loaded, &spec)?;
+    let (mut solved, searched) = if arguments.early {
+        session.solve_early(&loaded, &spec)?
+    } else {
+        (session.solve(&loaded, &spec)?, None)
+    };
     let verified = session.synthesize(&loaded, &mut solved, &session.options(level))?;
     let policy = arguments.warnings.policy();
     let warnings = session.warnings_beside(&loaded, &mut solved, &policy)?;
@@ -45,5 +53,9 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
         counted(controller.super_steps.len(), "super step"),
         counted(verified.product_nodes, "node"),
     ));
+    if let Some(Verdict { found, explored, .. }) = searched {
+        let found = counted(found, "state");
+        output::note(&format!("{}: {found} were found, and {explored} of these explored", spec.name));
+    }
     Ok(Exit::Done)
 }

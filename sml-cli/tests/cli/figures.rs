@@ -125,3 +125,42 @@ fn existential_scenarios_have_a_witness() {
     assert_eq!(found["states"], 4);
     assert!(sml_reading("check -", text.as_bytes()).stdout.contains("`Memory.Blink` happens"));
 }
+
+#[test]
+fn the_verdict_alone() {
+    for (name, expected) in corpus() {
+        for (semantics, figures) in expected.as_object().expect("figures by semantics") {
+            let classic = if semantics == "classic" { "--classic" } else { "" };
+            let run = sml(&format!("check {name}/spec.sml --verdict --format json {classic}"));
+            let found = run.json();
+            assert_eq!(found["realizable"], figures["realizable"], "{name}, {semantics}");
+            let realizable = figures["realizable"] == true;
+            assert_eq!(run.code, i32::from(!realizable), "{name}, {semantics}");
+            assert_eq!(found.get("explanation").is_some(), !realizable, "{name}, {semantics}");
+            let of = |count: &Value| count.as_u64().expect("a number");
+            let [explored, all] = [&found["explored_states"], &found["found_states"]].map(of);
+            assert!(explored <= all && all <= of(&figures["states"]), "{name}, {semantics}");
+            assert_eq!(found["complete"], explored == all, "{name}, {semantics}");
+        }
+    }
+}
+
+#[test]
+fn the_verdict_alone_for_people() {
+    let run = sml("check memory/spec.sml --verdict");
+    assert_eq!((run.code, &*run.stdout), (0, "Memory: realizable; all 4 states were explored\n"));
+    let run = sml("check unreal_clash/spec.sml --verdict");
+    assert_eq!(run.code, 1);
+    assert!(run.stdout.contains("the environment can force this play:\n"), "{}", run.stdout);
+    let run = sml("check line_2/spec.sml --verdict --max-states 100");
+    assert!(run.code == 3 && run.stderr.contains("--max-states"), "{}", run.stderr);
+}
+
+#[test]
+fn the_verdict_alone_has_nothing_to_warn_of() {
+    for option in ["--deny 99", "--deny-warnings", "--allow 99", "--sequence -"] {
+        assert_eq!(sml(&format!("check memory/spec.sml --verdict {option}")).code, 2, "{option}");
+    }
+    let run = sml("check ../plants/tank.plant --verdict --format json");
+    assert_eq!((run.code, &*run.diagnostic()), (2, "SML0100"));
+}

@@ -270,3 +270,16 @@ fn an_engine_of_rust_is_chosen() {
         assert_eq!(sml(&format!("export memory/spec.sml {arguments}")).code, code, "{arguments}");
     }
 }
+
+#[test]
+fn what_synth_makes_early_verify_accepts() {
+    let path = scratch("early").join("c.json");
+    for name in realizable() {
+        let run = sml(&format!("synth {name}/spec.sml --early -o {}", path.display()));
+        assert_eq!(run.code, 0, "{name}: {}", run.stderr);
+        assert!(run.stderr.contains(" of these explored"), "{name}: {}", run.stderr);
+        assert_eq!(sml(&format!("verify {name}/spec.sml {}", path.display())).code, 0, "{name}");
+    }
+    assert_eq!(sml("synth unreal_clash/spec.sml --early").code, 1);
+    assert_eq!(sml("synth memory/spec.sml --early --deny 97").code, 2);
+}

@@ -435,7 +435,7 @@ fn push<T>(values: &mut Vec<T>, value: T) {
 }
 
 /// Per key: whether it is open in some state. Others belong to copies that only events that cannot happen lead to.
-fn open_somewhere(open: &[u32], key_sets: &KeySets, keys: usize) -> Vec<bool> {
+pub(crate) fn open_somewhere(open: &[u32], key_sets: &KeySets, keys: usize) -> Vec<bool> {
     let mut used = vec![false; key_sets.len()];
     for &set in open {
         used[set as usize] = true;

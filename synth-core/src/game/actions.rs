@@ -64,6 +64,12 @@ impl ActionsBuilder {
     /// The finished actions.
     #[must_use]
     pub fn finish(self) -> Actions {
+        self.actions()
+    }
+
+    /// The actions so far.
+    #[must_use]
+    pub fn actions(&self) -> Actions {
         let pairs = (0..self.0.len() as u32).map(|action| *self.0.get(action));
         let (label, discharged) = pairs.unzip();
         Actions { label, discharged }

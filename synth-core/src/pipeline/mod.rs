@@ -26,6 +26,7 @@ use crate::playout::Semantics;
 use crate::quality;
 use crate::successors::PackedMoves;
 use crate::syntax::Loaded;
+use crate::verdict::{self, Verdict, WinningPart};
 use crate::verify::{batches, verify};
 use std::rc::Rc;
 
@@ -167,6 +168,38 @@ pub fn play_and_solve<'s>(
 fn solving_threads(game: &Game, limits: &Limits) -> usize {
     const STATES_A_THREAD: usize = 4096;
     threads_for(game.states() / STATES_A_THREAD, limits.threads).min(4)
+}
+
+/// Who wins, found out without exploring more than that takes.
+///
+/// # Errors
+/// A mistake that a play reaches, or a limit.
+pub fn verdict(spec: &Spec, options: &Options, timings: &mut Timings) -> Result<Verdict, Failure> {
+    let verdict = timings.stage("decide", || verdict::verdict(spec, options.semantics, &options.limits))?;
+    timings.size(verdict.size);
+    Ok(verdict)
+}
+
+/// The same as [`play_and_solve`], but if the system wins already in a part of the game, it is only that part, and what finding it took.
+/// Where the system does not win, or only by super steps without end, everything is explored in the end.
+///
+/// # Errors
+/// As for [`play_and_solve`].
+pub fn play_and_solve_early<'s>(
+    spec: &'s Spec,
+    options: &Options,
+    timings: &mut Timings,
+) -> Result<(Solved<'s>, Option<Verdict>), Failure> {
+    let search = || verdict::winning_part(spec, options.semantics, &options.limits);
+    let (verdict, part) = timings.stage("search", search)?;
+    timings.size(verdict.size);
+    if let Some(WinningPart { explored, solution }) = part {
+        let mut solved = Solved { explored, solution, strategy: None };
+        if solved.strategy(timings)?.endless_run(&solved.explored.game).is_none() {
+            return Ok((solved, Some(verdict)));
+        }
+    }
+    Ok((play_and_solve(spec, options, timings)?, None))
 }
 
 /// A verified controller.

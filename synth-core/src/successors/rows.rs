@@ -150,6 +150,24 @@ impl PackedRows {
         rows
     }
 
+    /// These rows, which are numbered anew in this order.
+    pub(crate) fn selected(&self, ids: &[u32]) -> PackedRows {
+        let mut rows = PackedRows {
+            words: self.words,
+            bytes: self.bytes,
+            last: self.last,
+            values: vec![0; WORD],
+            count: 0,
+            index: HashTable::new(),
+        };
+        rows.values.reserve_exact(ids.len() * self.bytes);
+        let mut row = Vec::new();
+        for &id in ids {
+            rows.push(self.get(id, &mut row));
+        }
+        rows
+    }
+
     /// Gives up what only finding takes. It is made anew if another row comes.
     pub(crate) fn close(&mut self) {
         self.index = HashTable::new();

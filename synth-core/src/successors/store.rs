@@ -150,6 +150,11 @@ impl StateStore {
         self.rows.intern(hash_row(row), row)
     }
 
+    /// Keeps these states, numbered anew in this order.
+    pub(crate) fn select(&mut self, states: &[StateId]) {
+        self.rows = self.rows.selected(states);
+    }
+
     /// Gives up what only new states take.
     pub(crate) fn close(&mut self) {
         self.rows.close();
