@@ -12,6 +12,7 @@ mod compatible;
 mod cover;
 mod fold;
 mod mealy;
+mod parts;
 mod random;
 
 use cover::{Found, Policy};
@@ -25,18 +26,48 @@ const MOST_REPEATED: usize = 1 << 10;
 const WORK: u64 = 30_000_000;
 /// The same for machines with few states, for each of them and fifty more.
 const WORK_PER_STATE: u64 = 20_000;
+/// How much longer [`least`] looks for its set than searches do.
+const EFFORT: usize = 40;
 /// Searches that are not limited.
 const CERTAIN: usize = 1;
 
 /// A machine that does all that `mealy` specifies, with as few states as were found.
 pub(crate) fn reduce(mealy: Mealy) -> Mealy {
+    let product = parts::side_by_side(&mealy).map(whole);
+    match product {
+        Some(product) if mealy.states() > MOST_COMPARED => product,
+        Some(product) => {
+            let size = |mealy: &Mealy| (mealy.states(), mealy.table_states());
+            let other = whole(mealy);
+            if size(&product) < size(&other) { product } else { other }
+        }
+        None => whole(mealy),
+    }
+}
+
+/// The size of a set of states of which any two are told apart by some sequence of events: no machine that does what `mealy` specifies has
+/// fewer. In large machines it is looked for among the states nearest to the initial one only.
+pub(crate) fn least(mealy: &Mealy) -> usize {
+    let near = mealy.nearest(MOST_COMPARED << 2);
+    let every = vec![true; mealy.events as usize];
+    let part = mealy.part(&near, &every);
+    let cliques = compatible::cliques(&compatible::incompatible(&part), part.states(), EFFORT);
+    cliques.iter().map(Vec::len).max().unwrap_or(0)
+}
+
+/// The same without a look for parts.
+fn whole(mealy: Mealy) -> Mealy {
     let mut best = mealy;
     while best.states() > MOST_COMPARED {
         let members = fold::fold(&best);
         if members.len() == best.states() {
             return best;
         }
+        let last = members.len() > best.states() / 8 * 7;
         best = folded(&best, &members);
+        if last && best.states() > MOST_COMPARED {
+            return best;
+        }
     }
     while let Some(better) = pass(&best) {
         // A pass of a large machine is not worth the last percent.
@@ -62,19 +93,32 @@ fn folded(mealy: &Mealy, members: &[Vec<u32>]) -> Mealy {
 
 /// Many searches; the best machine that they find, if it is smaller.
 fn pass(mealy: &Mealy) -> Option<Mealy> {
+    let size = (mealy.states(), mealy.table_states());
+    searches(mealy, size, CERTAIN, WORK.min(WORK_PER_STATE * (50 + mealy.states() as u64)))
+}
+
+/// A machine with at most so many states, if one is soon found.
+fn at_most(mealy: &Mealy, states: usize, work: u64) -> Option<Mealy> {
+    searches(mealy, (states, usize::MAX), 0, work)
+}
+
+/// Searches for what is smaller than `size`: states, then states of tables. The first `certain` come to their end, whatever they take; the
+/// others share `left` steps of work.
+fn searches(mealy: &Mealy, mut size: (usize, usize), certain: usize, mut left: u64) -> Option<Mealy> {
     let matrix = compatible::incompatible(mealy);
-    let cliques = compatible::cliques(&matrix, mealy.states());
+    let cliques = compatible::cliques(&matrix, mealy.states(), 1);
     let least = cliques.iter().map(Vec::len).max().unwrap_or(0);
+    if least > size.0 || mealy.states() == least && size.0 == least && size.1 < usize::MAX {
+        return None;
+    }
     let mut best: Option<Mealy> = None;
-    let mut size = (mealy.states(), mealy.table_states());
-    let mut left = WORK.min(WORK_PER_STATE * (50 + mealy.states() as u64));
     for (number, policy) in policies().enumerate() {
-        if size.0 <= least || left == 0 {
+        if left == 0 || best.is_some() && size.0 <= least {
             break;
         }
         // The first few are what large machines have, so they come to their end.
         let mut unlimited = u64::MAX;
-        let budget = if number < CERTAIN { &mut unlimited } else { &mut left };
+        let budget = if number < certain { &mut unlimited } else { &mut left };
         // As many classes may still be fewer states of tables.
         let Some(found) =
             cover::search(mealy, &matrix, &cliques[number % cliques.len()], policy, size.0 + 1, budget)
