@@ -428,6 +428,21 @@ mod tests {
     }
 
     #[test]
+    fn says_for_what_it_was_minimised() {
+        for level in [Level::None, Level::Exact] {
+            assert_eq!(to_json_at(&example(), level), EXAMPLE);
+            assert_eq!(level_of(EXAMPLE), Ok(Level::Exact));
+        }
+        for level in [Level::Assume, Level::Ordered] {
+            let text = to_json_at(&example(), level);
+            assert_eq!(level_of(&text), Ok(level));
+            assert_eq!(from_json(&text), Ok(example()));
+        }
+        let other = to_json_at(&example(), Level::Ordered).replace("ordered", "all");
+        assert!(level_of(&other).is_err_and(|why| why.starts_with("`minimize`: unknown level `all`")));
+    }
+
+    #[test]
     fn reads_what_it_writes() {
         check_same("", "");
     }

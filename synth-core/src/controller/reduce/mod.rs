@@ -5,8 +5,9 @@
 //! specified finite-state machines", 1973), so it is searched for, by many quick passes of a greedy method ([`cover`])
 //! whose preferences differ. How long is counted in steps of work, never in time: the result is always the same.
 //!
-//! What comes out is a Mealy machine with don't-cares again, so it goes in once more until nothing is gained. Machines with too many
-//! states for a matrix of pairs are first merged without one ([`fold`]).
+//! What comes out is a Mealy machine with don't-cares again, so it goes in once more until nothing is gained. Before, it is tried to
+//! take the machine apart ([`parts`]), which also works for machines with too many states for a matrix of pairs. If that
+//! fails, these are merged without one ([`fold`]).
 
 mod compatible;
 mod cover;
@@ -33,16 +34,14 @@ const CERTAIN: usize = 1;
 
 /// A machine that does all that `mealy` specifies, with as few states as were found.
 pub(crate) fn reduce(mealy: Mealy) -> Mealy {
-    let product = parts::side_by_side(&mealy).map(whole);
-    match product {
-        Some(product) if mealy.states() > MOST_COMPARED => product,
-        Some(product) => {
-            let size = |mealy: &Mealy| (mealy.states(), mealy.table_states());
-            let other = whole(mealy);
-            if size(&product) < size(&other) { product } else { other }
-        }
-        None => whole(mealy),
+    let product = parts::side_by_side(&mealy).map(searched);
+    if mealy.states() > MOST_COMPARED {
+        return product.unwrap_or_else(|| merged(mealy));
     }
+    let merged = merged(mealy.clone());
+    let size = |mealy: &Mealy| (mealy.states(), mealy.table_states());
+    let found = product.into_iter().chain([searched(mealy), merged]);
+    found.min_by_key(size).expect("there are two at least")
 }
 
 /// The size of a set of states of which any two are told apart by some sequence of events: no machine that does what `mealy` specifies has
@@ -55,21 +54,28 @@ pub(crate) fn least(mealy: &Mealy) -> usize {
     cliques.iter().map(Vec::len).max().unwrap_or(0)
 }
 
-/// The same without a look for parts.
-fn whole(mealy: Mealy) -> Mealy {
+/// First merged state by state, until that gains less than an eighth and the machine is small enough to be searched.
+fn merged(mealy: Mealy) -> Mealy {
     let mut best = mealy;
-    while best.states() > MOST_COMPARED {
+    loop {
         let members = fold::fold(&best);
-        if members.len() == best.states() {
-            return best;
+        let enough = members.len() > best.states() / 8 * 7;
+        if members.len() < best.states() {
+            best = folded(&best, &members);
         }
-        let last = members.len() > best.states() / 8 * 7;
-        best = folded(&best, &members);
-        if last && best.states() > MOST_COMPARED {
-            return best;
+        if enough {
+            break;
         }
     }
-    while let Some(better) = pass(&best) {
+    searched(best)
+}
+
+/// Searches as long as they gain something; large machines stay as they are.
+fn searched(mealy: Mealy) -> Mealy {
+    let mut best = mealy;
+    while best.states() <= MOST_COMPARED
+        && let Some(better) = pass(&best)
+    {
         // A pass of a large machine is not worth the last percent.
         let last = best.states() > MOST_REPEATED && better.states() > best.states() / 8 * 7;
         best = better;
@@ -99,7 +105,7 @@ fn pass(mealy: &Mealy) -> Option<Mealy> {
 
 /// A machine with at most so many states, if one is soon found.
 fn at_most(mealy: &Mealy, states: usize, work: u64) -> Option<Mealy> {
-    searches(mealy, (states, usize::MAX), 0, work)
+    searches(mealy, (states + 1, 0), 0, work)
 }
 
 /// Searches for what is smaller than `size`: states, then states of tables. The first `certain` come to their end, whatever they take; the
@@ -108,20 +114,18 @@ fn searches(mealy: &Mealy, mut size: (usize, usize), certain: usize, mut left: u
     let matrix = compatible::incompatible(mealy);
     let cliques = compatible::cliques(&matrix, mealy.states(), 1);
     let least = cliques.iter().map(Vec::len).max().unwrap_or(0);
-    if least > size.0 || mealy.states() == least && size.0 == least && size.1 < usize::MAX {
-        return None;
-    }
     let mut best: Option<Mealy> = None;
     for (number, policy) in policies().enumerate() {
-        if left == 0 || best.is_some() && size.0 <= least {
+        if left == 0 || size.0 <= least {
             break;
         }
         // The first few are what large machines have, so they come to their end.
         let mut unlimited = u64::MAX;
         let budget = if number < certain { &mut unlimited } else { &mut left };
         // As many classes may still be fewer states of tables.
+        let bound = size.0 + usize::from(size.1 > 0);
         let Some(found) =
-            cover::search(mealy, &matrix, &cliques[number % cliques.len()], policy, size.0 + 1, budget)
+            cover::search(mealy, &matrix, &cliques[number % cliques.len()], policy, bound, budget)
         else {
             continue;
         };

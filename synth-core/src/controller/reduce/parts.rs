@@ -10,7 +10,7 @@
 
 use super::at_most;
 use super::mealy::{Mealy, NOWHERE, Row};
-use hashbrown::HashMap;
+use hashbrown::{HashMap, HashSet};
 use rustc_hash::FxBuildHasher;
 
 /// States of the part that is looked at first.
@@ -149,14 +149,11 @@ fn wrong(mealy: &Mealy, small: &Mealy, events: &[bool]) -> Vec<u32> {
 /// Machines side by side, followed through the large one; `None` if that tells too little for some answer, or splits states too often.
 fn product(mealy: &Mealy, parts: &[&Mealy]) -> Option<Mealy> {
     let events = mealy.events as usize;
-    let mut product =
-        Product { numbers: HashMap::default(), members: Vec::new(), answer: Vec::new(), target: Vec::new() };
-    let initial: Vec<u32> = parts.iter().map(|part| part.initial).collect();
-    let class = product.number(initial, events);
-    let mut met: HashMap<(u32, u32), (), FxBuildHasher> = HashMap::default();
-    met.insert((class, mealy.initial), ());
-    let mut open = vec![(class, mealy.initial)];
-    let mut tuples: Vec<Vec<u32>> = vec![parts.iter().map(|part| part.initial).collect()];
+    let mut product = Product::default();
+    let initial = product.number(parts.iter().map(|part| part.initial).collect(), events);
+    let mut met: HashSet<(u32, u32), FxBuildHasher> = HashSet::default();
+    met.insert((initial, mealy.initial));
+    let mut open = vec![(initial, mealy.initial)];
     while let Some((class, state)) = open.pop() {
         product.members[class as usize].push(state);
         for row in mealy.rows_of(state) {
@@ -168,17 +165,13 @@ fn product(mealy: &Mealy, parts: &[&Mealy]) -> Option<Mealy> {
                 continue;
             }
             if product.target[at] == NOWHERE {
-                let next = |(part, &at): (&&Mealy, &u32)| part.next(at, row.event);
-                let tuple: Option<Vec<u32>> = parts.iter().zip(&tuples[class as usize]).map(next).collect();
-                let tuple = tuple?;
-                let number = product.number(tuple.clone(), events);
-                if number as usize == tuples.len() {
-                    tuples.push(tuple);
-                }
-                product.target[at] = number;
+                let places = &product.tuples[class as usize];
+                let next = parts.iter().zip(places).map(|(part, &place)| part.next(place, row.event));
+                let next: Option<Vec<u32>> = next.collect();
+                product.target[at] = product.number(next?, events);
             }
             let pair = (product.target[at], row.next);
-            if met.insert(pair, ()).is_none() {
+            if met.insert(pair) {
                 open.push(pair);
             }
         }
@@ -191,19 +184,26 @@ fn product(mealy: &Mealy, parts: &[&Mealy]) -> Option<Mealy> {
     }))
 }
 
+/// Combinations of states that were reached: classes of states of the large machine.
+#[derive(Default)]
 struct Product {
     numbers: HashMap<Vec<u32>, u32, FxBuildHasher>,
+    /// Per class the state of each machine.
+    tuples: Vec<Vec<u32>>,
     members: Vec<Vec<u32>>,
     /// Per class and event.
     answer: Vec<Option<u32>>,
-    /// The same.
+    /// Per class and event the class after it; [`NOWHERE`] if that is not known.
     target: Vec<u32>,
 }
 
 impl Product {
     fn number(&mut self, tuple: Vec<u32>, events: usize) -> u32 {
-        let fresh = self.members.len() as u32;
-        let number = *self.numbers.entry(tuple).or_insert(fresh);
+        let fresh = self.tuples.len() as u32;
+        let number = *self.numbers.entry(tuple).or_insert_with_key(|tuple| {
+            self.tuples.push(tuple.clone());
+            fresh
+        });
         if number == fresh {
             self.members.push(Vec::new());
             self.answer.resize(self.answer.len() + events, None);
