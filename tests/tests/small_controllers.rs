@@ -14,8 +14,6 @@ struct Subject {
     text: fn() -> String,
     /// Whether it takes less than seconds without optimisation.
     is_quick: bool,
-    /// Whether `assume` is measured: its plays are many more than those of the game.
-    assume: bool,
 }
 
 fn production_cell() -> String {
@@ -24,23 +22,18 @@ fn production_cell() -> String {
 }
 
 static SUBJECTS: [Subject; 9] = [
-    Subject { title: "production cell", text: production_cell, is_quick: true, assume: true },
-    Subject { title: "line of two presses", text: || families::line(2), is_quick: false, assume: true },
-    Subject { title: "line of three presses", text: || families::line(3), is_quick: false, assume: true },
-    Subject { title: "line of four presses", text: || families::line(4), is_quick: false, assume: false },
-    Subject { title: "lift with 3 floors", text: || families::lift(3), is_quick: true, assume: true },
-    Subject { title: "lift with 8 floors", text: || families::lift(8), is_quick: false, assume: true },
-    Subject { title: "arbiter with 2 clients", text: || families::arbiter(2), is_quick: true, assume: true },
-    Subject { title: "arbiter with 8 clients", text: || families::arbiter(8), is_quick: false, assume: true },
-    Subject {
-        title: "arbiter with 12 clients",
-        text: || families::arbiter(12),
-        is_quick: false,
-        assume: false,
-    },
+    Subject { title: "production cell", text: production_cell, is_quick: true },
+    Subject { title: "line of two presses", text: || families::line(2), is_quick: false },
+    Subject { title: "line of three presses", text: || families::line(3), is_quick: false },
+    Subject { title: "line of four presses", text: || families::line(4), is_quick: false },
+    Subject { title: "lift with 3 floors", text: || families::lift(3), is_quick: true },
+    Subject { title: "lift with 8 floors", text: || families::lift(8), is_quick: false },
+    Subject { title: "arbiter with 2 clients", text: || families::arbiter(2), is_quick: true },
+    Subject { title: "arbiter with 8 clients", text: || families::arbiter(8), is_quick: false },
+    Subject { title: "arbiter with 12 clients", text: || families::arbiter(12), is_quick: false },
 ];
 
-const HEADING: &str = "| Specification | `exact`: Mealy | tables | rows | `assume`: Mealy | tables | rows | `ordered`: Mealy | tables | rows | no fewer than |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+const HEADING: &str = "| Specification | `exact`: Mealy | tables | rows | `ordered`: Mealy | tables | rows | no fewer than |\n|---|---|---|---|---|---|---|---|\n";
 
 fn controller(spec: &Spec, level: Level) -> Controller {
     let options = synth_core::pipeline::Options { level, ..fast::options(false, 10_000_000) };
@@ -64,13 +57,12 @@ fn sizes(controller: &Controller) -> String {
 fn row(subject: &Subject) -> String {
     let spec = fast::resolved(&(subject.text)()).expect("families are right");
     let exact = controller(&spec, Level::Exact);
-    let assume = if subject.assume { sizes(&controller(&spec, Level::Assume)) } else { " | | ".to_owned() };
     let ordered = controller(&spec, Level::Ordered);
-    // A bound from the nearest states only says little.
+    // A bound from the nearest states says little.
     let waiting = mealy_states(&exact);
     let least =
         if waiting > 1 << 14 { String::new() } else { grouped(never_fewer(&exact).expect("it is no plant")) };
-    format!("| {} | {} | {assume} | {} | {least} |\n", subject.title, sizes(&exact), sizes(&ordered))
+    format!("| {} | {} | {} | {least} |\n", subject.title, sizes(&exact), sizes(&ordered))
 }
 
 /// With `SML_BLESS` the table is written anew, in a release build; others check the small ones.

@@ -6,10 +6,10 @@
 
 use super::mealy::{Mealy, NOWHERE, Row};
 
-/// Classes that are tried for a state, at least and, in small machines, at most.
-const TRIES: [usize; 2] = [48, 2048];
-/// Tries of all states, if each has more than the least.
-const MOST_TRIES: usize = 1 << 22;
+/// Classes that are tried for a state of a large machine.
+const TRIES: usize = 48;
+/// The same for machines of which all pairs can be compared.
+const MANY_TRIES: usize = 2048;
 /// Merges that one merge may entail.
 const MOST_MERGES: usize = 4096;
 
@@ -43,7 +43,7 @@ pub(super) fn fold(mealy: &Mealy) -> Vec<Vec<u32>> {
         rows: (0..states).map(|state| mealy.rows_of(state).to_vec()).collect(),
         settled: vec![false; states as usize],
         log: Vec::new(),
-        tries: (MOST_TRIES / mealy.states().max(1)).clamp(TRIES[0], TRIES[1]),
+        tries: if mealy.states() > super::MOST_COMPARED { TRIES } else { MANY_TRIES },
     };
     // Per event the classes that were visited and specify it, latest last.
     let mut visited: Vec<Vec<u32>> = vec![Vec::new(); mealy.events as usize];
