@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
-use synth_core::controller::Controller;
-use synth_core::controller::json::from_json;
+use synth_core::controller::json::{from_json, level_of};
+use synth_core::controller::{Controller, Level};
 use synth_core::diagnostic::Code;
 use synth_core::syntax::{Loaded, Pos, load, read_bounded};
 
@@ -18,10 +18,11 @@ pub(crate) fn is_stdin(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
-/// A controller as `sml synth` writes it.
-pub(crate) fn controller(path: &Path) -> Result<Controller, Failure> {
+/// A controller as `sml synth` writes it, and how it says to be minimised.
+pub(crate) fn controller(path: &Path) -> Result<(Controller, Level), Failure> {
     let text = text(path, Code::MalformedController)?;
-    from_json(&text).map_err(|why| {
+    let read = from_json(&text).and_then(|controller| Ok((controller, level_of(&text)?)));
+    read.map_err(|why| {
         let (why, place) = place_of(&why);
         Failure::malformed_at(Code::MalformedController, &name(path), why, place)
     })

@@ -38,7 +38,9 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
             // A specification that is wrong is wrong, even where it is not needed.
             let loaded = session.load(file)?;
             session.specification(&loaded)?;
-            input::controller(path)?
+            let (controller, level) = input::controller(path)?;
+            one_at_a_time(level, &format!("`{}` was minimised so that it", input::name(path)))?;
+            controller
         }
         None => own(arguments, session)?,
     };
@@ -49,13 +51,19 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     Ok(Exit::Done)
 }
 
+/// Refuses a controller that is not for cycles.
+fn one_at_a_time(level: Level, who: &str) -> Result<(), Failure> {
+    if level == Level::Ordered {
+        return Err(Failure::usage(format!(
+            "a cycle takes several events at once, and {who} needs them one at a time"
+        )));
+    }
+    Ok(())
+}
+
 fn own(arguments: &Arguments, session: &mut Session) -> Result<Controller, Failure> {
     let level = arguments.minimize.level();
-    if level == Level::Ordered {
-        return Err(Failure::usage(
-            "a cycle takes several events at once, and `--minimize ordered` needs them one at a time",
-        ));
-    }
+    one_at_a_time(level, "`--minimize ordered`")?;
     let given = input::given(&arguments.file)?;
     if given.is_plant && Follow::events(arguments.follow) {
         return Ok(follow::follow(&mut session.plant(&given)?, level, "", session)?.controller);

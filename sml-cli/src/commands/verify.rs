@@ -6,6 +6,7 @@ use crate::session::Session;
 use crate::{input, output};
 use serde::Serialize;
 use std::path::PathBuf;
+use synth_core::controller::Level;
 use synth_core::diagnostic::counted;
 use synth_core::pipeline;
 use synth_core::verify::Refutation;
@@ -32,9 +33,9 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     input::one_stdin([&arguments.file, &arguments.controller])?;
     let loaded = session.load(&arguments.file)?;
     let spec = session.specification(&loaded)?;
-    let controller = input::controller(&arguments.controller)?;
+    let (controller, level) = input::controller(&arguments.controller)?;
     let (exit, text) = match session.verify(&spec, &controller) {
-        Ok(nodes) => (Exit::Done, accepted(nodes, session.format())),
+        Ok(nodes) => (Exit::Done, accepted(nodes, level, session.format())),
         Err(pipeline::Failure::Unverified(refutation)) => (Exit::No, refuted(&refutation, session.format())),
         Err(failure) => return Err(Failure::of(&failure, &loaded.sources)),
     };
@@ -42,10 +43,12 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     Ok(exit)
 }
 
-fn accepted(nodes: usize, format: Format) -> String {
+fn accepted(nodes: usize, level: Level, format: Format) -> String {
+    // One at a time is all that is verified here: for a scan with several, more must be known of its strategy.
+    let only = if level == Level::Ordered { ", for one event at a time" } else { "" };
     match format {
         Format::Text => {
-            format!("verified: the product with the specification has {}\n", counted(nodes, "node"))
+            format!("verified{only}: the product with the specification has {}\n", counted(nodes, "node"))
         }
         Format::Json => json(&Document { version: 1, verified: true, reason: "", play: &[], r#loop: &[] }),
     }

@@ -51,6 +51,20 @@ fn a_given_controller_runs_instead() {
 }
 
 #[test]
+fn a_controller_for_one_event_at_a_time_has_no_cycles() {
+    let path = scratch("one_at_a_time").join("c.json");
+    let controller = sml("synth memory/spec.sml --minimize ordered").stdout;
+    assert!(controller.contains("\"minimize\":\"ordered\""), "{controller}");
+    std::fs::write(&path, controller).expect("a file");
+    let arguments = format!("cycle memory/spec.sml --stimulus - --controller {}", path.display());
+    let run = sml_reading(&arguments, b"clock -> control.tick()\n1\n");
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("needs them one at a time"), "{}", run.stderr);
+    let verified = sml(&format!("verify memory/spec.sml {}", path.display()));
+    assert_eq!((verified.code, verified.stdout.contains("for one event at a time")), (0, true));
+}
+
+#[test]
 fn unrealizable_has_no_controller_of_its_own() {
     assert_eq!(sml_reading("cycle unreal_clash/spec.sml --stimulus -", b"x\n").code, 1);
 }

@@ -8,10 +8,11 @@
 //!  "owed":{"a -> c.go()":[0]}}
 //! ```
 //!
-//! `owed` lists per environment event the states in which assumptions promise it; it may be absent. Unknown fields
+//! `owed` lists per environment event the states in which assumptions promise it; it may be absent. `"minimize":"ordered"` or
+//! `"assume"` says that states were merged by don't-cares, and what the controller is for; it is absent otherwise. Unknown fields
 //! are passed over. A system event between controllable objects that no super step has is not in the format.
 
-use super::{Component, Controller, Event, SuperStep};
+use super::{Component, Controller, Event, Level, SuperStep};
 use crate::diagnostic::counted;
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use std::collections::BTreeMap;
@@ -29,6 +30,12 @@ const MAX_BARE_STATES: usize = 1_000_000;
 /// A controller as one line of JSON; everything in table order.
 #[must_use]
 pub fn to_json(controller: &Controller) -> String {
+    to_json_at(controller, Level::default())
+}
+
+/// The same, with the level of minimisation where a reader must know it: [`Level::Assume`] and [`Level::Ordered`].
+#[must_use]
+pub fn to_json_at(controller: &Controller, level: Level) -> String {
     #[derive(serde::Serialize)]
     struct Document<'a> {
         version: u32,
@@ -38,6 +45,8 @@ pub fn to_json(controller: &Controller) -> String {
         supersteps: Vec<(u32, u32, Vec<&'a str>)>,
         components: BTreeMap<&'a str, BTreeMap<&'a str, u32>>,
         owed: BTreeMap<&'a str, Vec<u32>>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        minimize: Option<&'static str>,
     }
     let command = |&index: &u32| controller.commands[index as usize].text.as_str();
     let mut owed: BTreeMap<&str, Vec<u32>> = BTreeMap::new();
@@ -69,10 +78,24 @@ pub fn to_json(controller: &Controller) -> String {
             })
             .collect(),
         owed,
+        minimize: matches!(level, Level::Assume | Level::Ordered).then(|| level.name()),
     };
     let mut text = serde_json::to_string(&document).expect("strings and numbers always serialize");
     text.push('\n');
     text
+}
+
+/// How a controller that [`from_json`] reads was minimised, as far as its file says: [`Level::Assume`], [`Level::Ordered`], or otherwise
+/// [`Level::Exact`], which stands for no don't-cares.
+///
+/// # Errors
+///
+/// One line, if the text is not in this format or names another level.
+pub fn level_of(text: &str) -> Result<Level, String> {
+    match parse(text)?.minimize.as_deref() {
+        None | Some("none") => Ok(Level::Exact),
+        Some(name) => name.parse().map_err(|why| format!("`minimize`: {why}")),
+    }
 }
 
 /// Reads a controller from any source.
@@ -124,6 +147,8 @@ struct Document {
     components: Entries<Entries<u32>>,
     #[serde(default)]
     owed: Entries<Vec<u32>>,
+    #[serde(default)]
+    minimize: Option<String>,
 }
 
 #[derive(serde::Deserialize)]
@@ -400,6 +425,21 @@ mod tests {
     #[test]
     fn writes_the_contract() {
         assert_eq!(to_json(&example()), EXAMPLE);
+    }
+
+    #[test]
+    fn says_for_what_it_was_minimised() {
+        for level in [Level::None, Level::Exact] {
+            assert_eq!(to_json_at(&example(), level), EXAMPLE);
+            assert_eq!(level_of(EXAMPLE), Ok(Level::Exact));
+        }
+        for level in [Level::Assume, Level::Ordered] {
+            let text = to_json_at(&example(), level);
+            assert_eq!(level_of(&text), Ok(level));
+            assert_eq!(from_json(&text), Ok(example()));
+        }
+        let other = to_json_at(&example(), Level::Ordered).replace("ordered", "all");
+        assert!(level_of(&other).is_err_and(|why| why.starts_with("`minimize`: unknown level `all`")));
     }
 
     #[test]

@@ -20,7 +20,7 @@ pub mod super_steps;
 pub mod tables;
 
 pub use alphabet::{Alphabet, Letter};
-pub use minimize::{Level, minimize, minimize_assuming};
+pub use minimize::{Level, minimize, minimize_assuming, never_fewer};
 pub use monitor::monitor;
 pub use number::number;
 pub use super_steps::{EndlessSuperStep, interface, merge};

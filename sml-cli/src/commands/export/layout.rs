@@ -9,7 +9,7 @@ use crate::options::Format;
 use crate::output;
 use crate::session::Session;
 use std::path::PathBuf;
-use synth_core::controller::json::to_json;
+use synth_core::controller::json::to_json_at;
 use synth_core::controller::tables::Tables;
 use synth_core::controller::{Controller, Level};
 use synth_core::diagnostic::Code;
@@ -24,6 +24,8 @@ type Writer = fn(&Tables, &Controller, &Options) -> Result<String, String>;
 struct Options {
     rust: rust::Options,
     text: st::Options,
+    /// For JSON, which says it.
+    level: Level,
 }
 
 /// How tables are written.
@@ -64,7 +66,11 @@ impl<'a> Layout<'a> {
         }
         output::refuse(arguments.output.as_deref(), &arguments.file)?;
         let rust = rust::Options { engine: engine.unwrap_or_default(), ordered: level == Level::Ordered };
-        let options = Options { rust, text: text.options(structured_text.unwrap_or_default()) };
+        let options = Options {
+            rust,
+            text: text.options(structured_text.unwrap_or_default()),
+            level: if arguments.monitor { Level::default() } else { level },
+        };
         Ok(Layout { arguments, write, options, level })
     }
 
@@ -134,7 +140,7 @@ fn writer(target: Target, xml: Xml) -> Result<Writer, Failure> {
         }
         Target::Dot => |tables, _, _| Ok(dot::text(tables)),
         Target::Mermaid => |tables, _, _| Ok(mermaid::text(tables)),
-        Target::Json => |_, controller, _| Ok(to_json(controller)),
+        Target::Json => |_, controller, options| Ok(to_json_at(controller, options.level)),
         other => return Err(Failure::unsupported(&format!("--target {other}"))),
     })
 }

@@ -112,8 +112,8 @@ impl Predecessors {
 }
 
 /// Sets of states of which any two are incompatible: no machine has fewer states than the largest. Found greedily, from several states on: next comes the
-/// candidate with most other candidates that it is incompatible with, as long as that is quickly counted.
-pub(super) fn cliques(matrix: &Matrix, states: usize) -> Vec<Vec<u32>> {
+/// candidate with most other candidates that it is incompatible with, as long as that is quickly counted. `effort` multiplies what is quick.
+pub(super) fn cliques(matrix: &Matrix, states: usize, effort: usize) -> Vec<Vec<u32>> {
     let degree = |state: u32| matrix.row(state).iter().map(|word| word.count_ones()).sum::<u32>();
     let mut order: Vec<u32> = (0..states as u32).collect();
     order.sort_by_cached_key(|&state| std::cmp::Reverse(degree(state)));
@@ -126,7 +126,7 @@ pub(super) fn cliques(matrix: &Matrix, states: usize) -> Vec<Vec<u32>> {
     let mut cliques = vec![first];
     let mut work = 0;
     for &start in &order {
-        if work > MOST_WORK || cliques.len() == MOST_CLIQUES {
+        if work > MOST_WORK * effort || cliques.len() == MOST_CLIQUES {
             break;
         }
         let mut candidates = matrix.row(start).to_vec();
@@ -139,7 +139,7 @@ pub(super) fn cliques(matrix: &Matrix, states: usize) -> Vec<Vec<u32>> {
                 candidates.iter().zip(matrix.row(state)).map(|(a, b)| (a & b).count_ones()).sum::<u32>()
             };
             // The first of the order has the highest degree, if counting would take too long.
-            let next = if left.len() * matrix.words <= MOST_COUNTED {
+            let next = if left.len() * matrix.words <= MOST_COUNTED * effort {
                 work += left.len() * matrix.words;
                 left.iter().copied().min_by_key(|&state| std::cmp::Reverse(shared(state)))
             } else {

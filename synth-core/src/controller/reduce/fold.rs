@@ -2,12 +2,14 @@
 //!
 //! States are visited breadth first. One that is in no class yet is merged with a class that was visited before, and with
 //! it what follows both under the same events, as far as that goes without different answers; otherwise all of it is
-//! taken back. Few classes are tried, so that the time is nearly linear.
+//! taken back. Few classes are tried in large machines, so that the time is nearly linear.
 
 use super::mealy::{Mealy, NOWHERE, Row};
 
-/// Classes that are tried for a state.
+/// Classes that are tried for a state of a large machine.
 const TRIES: usize = 48;
+/// The same for machines of which all pairs can be compared.
+const MANY_TRIES: usize = 2048;
 /// Merges that one merge may entail.
 const MOST_MERGES: usize = 4096;
 
@@ -20,6 +22,8 @@ struct Fold {
     settled: Vec<bool>,
     /// What the merges since the last decision have changed.
     log: Vec<Merge>,
+    /// Classes that are tried for a state.
+    tries: usize,
 }
 
 /// Who became whose child, and what the parent had before.
@@ -39,6 +43,7 @@ pub(super) fn fold(mealy: &Mealy) -> Vec<Vec<u32>> {
         rows: (0..states).map(|state| mealy.rows_of(state).to_vec()).collect(),
         settled: vec![false; states as usize],
         log: Vec::new(),
+        tries: if mealy.states() > super::MOST_COMPARED { TRIES } else { MANY_TRIES },
     };
     // Per event the classes that were visited and specify it, latest last.
     let mut visited: Vec<Vec<u32>> = vec![Vec::new(); mealy.events as usize];
@@ -87,11 +92,11 @@ impl Fold {
 
     /// Classes that specify an event of these rows, those visited last.
     fn candidates(&self, rows: &[Row], visited: &[Vec<u32>]) -> Vec<u32> {
-        let latest = |row: &Row| visited[row.event as usize].iter().rev().take(TRIES);
+        let latest = |row: &Row| visited[row.event as usize].iter().rev().take(self.tries);
         let mut candidates: Vec<u32> = rows.iter().flat_map(latest).map(|&class| self.root(class)).collect();
         candidates.sort_unstable();
         candidates.dedup();
-        candidates.truncate(TRIES);
+        candidates.truncate(self.tries);
         candidates
     }
 

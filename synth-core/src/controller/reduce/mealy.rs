@@ -10,6 +10,9 @@ pub(super) const NOWHERE: u32 = u32::MAX;
 /// The answer "refused": the event must have no row.
 pub(super) const REFUSED: u32 = 0;
 
+/// An answer that does not matter: any but [`REFUSED`].
+const ANY: u32 = 1;
+
 /// What is specified for an event in a state.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Row {
@@ -135,6 +138,61 @@ impl Mealy {
 
     pub(super) fn rows_of(&self, state: u32) -> &[Row] {
         &self.rows[self.first[state as usize] as usize..self.first[state as usize + 1] as usize]
+    }
+
+    /// What is specified for an event in a state.
+    pub(super) fn row(&self, state: u32, event: u32) -> Option<Row> {
+        let rows = self.rows_of(state);
+        rows.binary_search_by_key(&event, |row| row.event).ok().map(|row| rows[row])
+    }
+
+    /// States breadth first from the initial one, at most so many; ascending.
+    pub(super) fn nearest(&self, most: usize) -> Vec<u32> {
+        let mut met = vec![false; self.states()];
+        met[self.initial as usize] = true;
+        let mut order = vec![self.initial];
+        let mut head = 0;
+        while let Some(&state) = order.get(head) {
+            head += 1;
+            for row in self.rows_of(state).iter().filter(|row| row.next != NOWHERE) {
+                if order.len() < most && !std::mem::replace(&mut met[row.next as usize], true) {
+                    order.push(row.next);
+                }
+            }
+        }
+        order.sort_unstable();
+        order
+    }
+
+    /// The machine of some states, ascending, the initial one among them, that need only answer `events` right; to others all have the same
+    /// answer, and what must be refused is free.
+    pub(super) fn part(&self, inside: &[u32], events: &[bool]) -> Mealy {
+        let mut number = vec![NOWHERE; self.states()];
+        for (new, &old) in (0..).zip(inside) {
+            number[old as usize] = new;
+        }
+        let mut part = Mealy {
+            first: vec![0],
+            rows: Vec::new(),
+            events: self.events,
+            initial: number[self.initial as usize],
+            initial_answer: 0,
+            answers: vec![Vec::new(); self.answers.len()],
+            origins: vec![Vec::new(); inside.len()],
+        };
+        for &state in inside {
+            for row in self.rows_of(state) {
+                let next = if row.next == NOWHERE { NOWHERE } else { number[row.next as usize] };
+                let known = next != NOWHERE;
+                if events[row.event as usize] && (known || row.next == NOWHERE) {
+                    part.rows.push(Row { next, ..*row });
+                } else if known && !events[row.event as usize] {
+                    part.rows.push(Row { next, answer: ANY, event: row.event });
+                }
+            }
+            part.first.push(part.rows.len() as u32);
+        }
+        part
     }
 
     /// The state after an event, where that is specified and not refused.

@@ -105,7 +105,7 @@ proptest! {
             let small = super::reduce(mealy.clone());
             assert_covered(&mealy, &small);
             prop_assert!(small.states() <= mealy.states());
-            prop_assert!(small.states() >= compatible::cliques(&compatible::incompatible(&mealy), mealy.states())[0].len());
+            prop_assert!(small.states() >= super::least(&mealy));
             let result: Controller = small.controller(&exact);
             prop_assert_eq!(result.states as usize, small.table_states());
             let (mut left, mut right) = (Machine::new(&exact), Machine::new(&result));
