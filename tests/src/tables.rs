@@ -76,6 +76,7 @@ fn tables(specification: &str, states: u32) -> Tables {
             hash: "00000000000000ff".to_owned(),
             options: String::new(),
             level: synth_core::controller::Level::Exact,
+            monitor: false,
             requirements: Vec::new(),
         },
     }

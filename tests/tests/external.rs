@@ -106,6 +106,16 @@ fn counts_on_random_specifications() {
     }
 }
 
+/// What is found several times comes at the edge of a block, too.
+#[test]
+fn counts_where_files_have_many_blocks() {
+    let text = families::arbiter(12);
+    let folder = scratch("blocks");
+    let census = Run { budget: Budget::of(1 << 30), ..Run::new(&text, &folder) }.census();
+    let (clients, all) = (12_u64, 1 << 12);
+    assert_eq!(census.states, 2 * all - 1 + clients * all / 2);
+}
+
 /// So many switches that each can be turned at any time.
 fn switches(count: usize) -> String {
     let objects: String = (1..=count).map(|n| format!("  object switch{n}: Switch\n")).collect();

@@ -119,6 +119,7 @@ fn wrong_usage_is_2() {
     check("cycle memory/spec.sml --stimulus /dev/null --minimize ordered", 2, "SML0100");
     check("export memory/spec.sml --target iec --minimize ordered", 2, "SML0100");
     check("export memory/spec.sml --target plcopen --minimize ordered", 2, "SML0100");
+    check("export memory/spec.sml --target iec --monitor --owed", 2, "SML0100");
     for others in ["--minimize ordered", "--no-minimize", "--templates d"] {
         check(&format!("export memory/spec.sml --target rust --monitor {others}"), 2, "SML0100");
     }

@@ -8,7 +8,7 @@
 //!  "owed":{"a -> c.go()":[0]}}
 //! ```
 //!
-//! `owed` lists per environment event the states in which assumptions promise it; it may be absent. `"minimize":"ordered"` or
+//! `"monitor":true` is in the file of a [monitor](mod@super::monitor) only. `owed` lists per environment event the states in which assumptions promise it; it may be absent. `"minimize":"ordered"` or
 //! `"assume"` says that states were merged by don't-cares, and what the controller is for; it is absent otherwise. Unknown fields
 //! are passed over. A system event between controllable objects that no super step has is not in the format.
 
@@ -36,6 +36,16 @@ pub fn to_json(controller: &Controller) -> String {
 /// The same, with the level of minimisation where a reader must know it: [`Level::Assume`] and [`Level::Ordered`].
 #[must_use]
 pub fn to_json_at(controller: &Controller, level: Level) -> String {
+    text(controller, level, false)
+}
+
+/// A monitor, which says so: nobody must take it for a controller.
+#[must_use]
+pub fn monitor_to_json(monitor: &Controller) -> String {
+    text(monitor, Level::default(), true)
+}
+
+fn text(controller: &Controller, level: Level, monitor: bool) -> String {
     #[derive(serde::Serialize)]
     struct Document<'a> {
         version: u32,
@@ -47,6 +57,8 @@ pub fn to_json_at(controller: &Controller, level: Level) -> String {
         owed: BTreeMap<&'a str, Vec<u32>>,
         #[serde(skip_serializing_if = "Option::is_none")]
         minimize: Option<&'static str>,
+        #[serde(skip_serializing_if = "std::ops::Not::not")]
+        monitor: bool,
     }
     let command = |&index: &u32| controller.commands[index as usize].text.as_str();
     let mut owed: BTreeMap<&str, Vec<u32>> = BTreeMap::new();
@@ -79,6 +91,7 @@ pub fn to_json_at(controller: &Controller, level: Level) -> String {
             .collect(),
         owed,
         minimize: matches!(level, Level::Assume | Level::Ordered).then(|| level.name()),
+        monitor,
     };
     let mut text = serde_json::to_string(&document).expect("strings and numbers always serialize");
     text.push('\n');
@@ -90,9 +103,13 @@ pub fn to_json_at(controller: &Controller, level: Level) -> String {
 ///
 /// # Errors
 ///
-/// One line, if the text is not in this format or names another level.
+/// One line, if the text is not in this format, names another level, or is that of a monitor.
 pub fn level_of(text: &str) -> Result<Level, String> {
-    match parse(text)?.minimize.as_deref() {
+    let document = parse(text)?;
+    if document.monitor {
+        return Err("this is a monitor, which gives no commands, and no controller".to_owned());
+    }
+    match document.minimize.as_deref() {
         None | Some("none") => Ok(Level::Exact),
         Some(name) => name.parse().map_err(|why| format!("`minimize`: {why}")),
     }
@@ -149,6 +166,8 @@ struct Document {
     owed: Entries<Vec<u32>>,
     #[serde(default)]
     minimize: Option<String>,
+    #[serde(default)]
+    monitor: bool,
 }
 
 #[derive(serde::Deserialize)]
@@ -440,6 +459,14 @@ mod tests {
         }
         let other = to_json_at(&example(), Level::Ordered).replace("ordered", "all");
         assert!(level_of(&other).is_err_and(|why| why.starts_with("`minimize`: unknown level `all`")));
+    }
+
+    #[test]
+    fn a_monitor_is_no_controller() {
+        assert!(!EXAMPLE.contains("monitor"));
+        assert!(
+            level_of(&monitor_to_json(&example())).is_err_and(|why| why.starts_with("this is a monitor"))
+        );
     }
 
     #[test]

@@ -63,6 +63,8 @@ pub struct Provenance {
     pub options: String,
     /// How the controller was minimised.
     pub level: Level,
+    /// It is no controller but a [monitor](mod@super::monitor).
+    pub monitor: bool,
     /// Every scenario in textual order.
     pub requirements: Vec<Requirement>,
 }

@@ -540,7 +540,7 @@ codes! {
     NeverGiven = 149, "a command that a controller never gives",
         "A controller that follows events decides for one command at most, where the feedback permits several. It takes the\n\
          one after which the fewest commands follow until the plant has the turn; where it may as well wait, it waits.\n\
-         This event is possible somewhere, and never chosen.\n\n\
+         This event is possible somewhere, and never chosen; or the controller never comes to where it is possible.\n\n\
          Say by a constraint when the other command has to wait, or let an event of the plant, say a button, ask for\n\
          this one.\n";
 }

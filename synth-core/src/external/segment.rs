@@ -74,14 +74,14 @@ impl<'f> Writer<'f> {
 
     /// Appends a row, unless it is the last one once more. Rows must ascend.
     pub(super) fn push(&mut self, row: &[u64]) -> Result<()> {
+        if self.last == row {
+            return Ok(());
+        }
         if self.in_block == 0 {
             self.index.offsets.push(self.segment.bytes);
             self.index.firsts.extend_from_slice(row);
             self.put_row(row);
         } else if row[1..] == self.last[1..] {
-            if row[0] == self.last[0] {
-                return Ok(());
-            }
             self.put_number(row[0].wrapping_sub(self.last[0]));
         } else {
             self.block.push(0);

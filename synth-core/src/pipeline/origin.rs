@@ -56,6 +56,7 @@ pub fn provenance(loaded: &Loaded, spec: &Spec, options: &Options) -> Provenance
         hash: loaded.hash(),
         options: if options.monitor { " --monitor".to_owned() } else { options.level.option() },
         level: options.level,
+        monitor: options.monitor,
         requirements: spec.scenarios.iter().map(requirement).collect(),
     }
 }

@@ -37,6 +37,7 @@ pub(crate) fn lamp() -> Tables {
             hash: "0123456789abcdef".to_owned(),
             options: String::new(),
             level: synth_core::controller::Level::Exact,
+            monitor: false,
             requirements: Vec::new(),
         },
     }

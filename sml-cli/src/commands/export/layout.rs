@@ -9,7 +9,7 @@ use crate::options::Format;
 use crate::output;
 use crate::session::Session;
 use std::path::PathBuf;
-use synth_core::controller::json::to_json_at;
+use synth_core::controller::json::{monitor_to_json, to_json_at};
 use synth_core::controller::tables::Tables;
 use synth_core::controller::{Controller, Level};
 use synth_core::diagnostic::Code;
@@ -55,6 +55,11 @@ impl<'a> Layout<'a> {
         }
         if templates.is_some() && structured_text.is_none() && *target != Target::Rust {
             return usage(format!("there are no templates for target `{target}`"));
+        }
+        if arguments.monitor && text.owed() {
+            return usage(
+                "`--owed` means nothing to a monitor: what is owed is for the controller to say".to_owned(),
+            );
         }
         arguments.checks_something()?;
         let level = arguments.minimize.level();
@@ -140,7 +145,12 @@ fn writer(target: Target, xml: Xml) -> Result<Writer, Failure> {
         }
         Target::Dot => |tables, _, _| Ok(dot::text(tables)),
         Target::Mermaid => |tables, _, _| Ok(mermaid::text(tables)),
-        Target::Json => |_, controller, options| Ok(to_json_at(controller, options.level)),
+        Target::Json => |tables, controller, options| {
+            Ok(match tables.provenance.monitor {
+                true => monitor_to_json(controller),
+                false => to_json_at(controller, options.level),
+            })
+        },
         other => return Err(Failure::unsupported(&format!("--target {other}"))),
     })
 }

@@ -74,6 +74,10 @@ impl StructuredText {
         ]
     }
 
+    pub(super) fn owed(&self) -> bool {
+        self.owed
+    }
+
     pub(super) fn is_given(&self) -> bool {
         self.given().into_iter().any(|(_, is_given)| is_given)
     }

@@ -25,7 +25,12 @@ pub(super) fn code(text: &str) -> String {
 
 /// The module's doc attributes.
 pub(super) fn module(tables: &Tables, options: &Options, engine: &dyn Rows) -> TokenStream {
-    let mut text = format!("Controller of the specification {}.\n", code(&tables.specification));
+    let name = code(&tables.specification);
+    let mut text = if tables.provenance.monitor {
+        format!("Monitor {name}: which events are expected. It gives no commands.\n")
+    } else {
+        format!("Controller of the specification {name}.\n")
+    };
     costs(&mut text, tables, options, engine);
     level(&mut text, tables.provenance.level);
     requirements(&mut text, &tables.provenance.requirements);

@@ -62,7 +62,9 @@ fn write(out: &mut Header, block: &Block<'_>, notes: &[&str]) {
 fn origin(out: &mut Header, block: &Block<'_>, notes: &[&str]) {
     let provenance = &block.tables.provenance;
     let version = env!("CARGO_PKG_VERSION");
-    out.comment(&format!("Controller {}: generated, changes get lost.", block.tables.specification));
+    let what =
+        if provenance.monitor { "Monitor (which events are expected, no commands)" } else { "Controller" };
+    out.comment(&format!("{what} {}: generated, changes get lost.", block.tables.specification));
     out.comment(&format!("Generator: sml {version}, table format {FORMAT_VERSION}"));
     out.comment(&format!("Specification: {}, input hash {}", provenance.file, provenance.hash));
     out.comment(&format!("To generate it again: {}", command(block)));

@@ -62,10 +62,19 @@ fn warning(
 ) -> Diagnostic {
     let name = |event: EventId| &plant.events[event as usize].name;
     let place = plant.state_names(closed.entry(entry)).join(", ");
-    let reason = match choice {
-        Some(Some((other, _))) => format!("where it is possible, `{}` is given instead", name(other)),
-        Some(None) => "where it is possible, the controller waits for the plant".to_owned(),
-        None => "the controller never comes to where it is possible".to_owned(),
+    let (reason, help) = match choice {
+        Some(Some((other, _))) => (
+            format!("where it is possible, `{}` is given instead", name(other)),
+            format!("say by a constraint when `{}` has to wait", name(other)),
+        ),
+        Some(None) => (
+            "where it is possible, nothing is given".to_owned(),
+            "let an event of the plant, say a button, ask for it".to_owned(),
+        ),
+        None => (
+            "the controller never comes to where it is possible".to_owned(),
+            "look at the commands that would lead there, or remove the event".to_owned(),
+        ),
     };
     Diagnostic::warning(
         Code::NeverGiven,
@@ -73,5 +82,5 @@ fn warning(
         format!("`{}` is never given", name(event)),
     )
     .note(format!("{reason}: for example in {place}"))
-    .help("say by a constraint when the other has to wait, or let an event of the plant ask for this one")
+    .help(help)
 }
