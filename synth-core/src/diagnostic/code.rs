@@ -528,14 +528,17 @@ codes! {
          Raise `--max-states`, or mark only where somebody really has to come back: where all states are marked, nothing\n\
          can conflict.\n";
     Circle = 148, "commands that undo each other without end",
-        "These events of the controller lead back to where they began, and nothing of the plant is waited for in between. The\n\
-         feedback permits all of them, so the program gives them again and again, perhaps all of them within one scan.\n\n\
+        "These events of the controller lead back to where they began, and nothing of the plant is waited for in\n\
+         between. The feedback permits all of them, so the program gives them again and again, perhaps all of them within\n\
+         one scan.\n\n\
          A feedback forbids no more than it must: say when the one is wanted and when the other. Mostly a state between\n\
-         them waits for a sensor or a button, or a constraint says after which event of the plant the command may be given.\n\n\
+         them waits for a sensor or a button, or a constraint says after which event of the plant the command may be\n\
+         given.\n\n\
          Wrong:  controllable go { set Motor }  controllable halt { reset Motor }\n        \
          automaton Door { initial state Rests [!Motor] { go -> Moves } state Moves [Motor] { halt -> Rests } }\n\
-         Right:  controllable go { set Motor }  controllable halt { reset Motor }  uncontrollable shut  uncontrollable open\n        \
-         automaton Door { initial state Ajar [!Closed && !Motor] { go -> Moves } state Moves [!Closed && Motor] { shut -> Done }\n        \
+         Right:  controllable go { set Motor }  controllable halt { reset Motor }\n        \
+         uncontrollable shut  uncontrollable open  automaton Door {\n        \
+         initial state Ajar [!Closed && !Motor] { go -> Moves } state Moves [!Closed && Motor] { shut -> Done }\n        \
          state Done [Closed && Motor] { halt -> Shut } state Shut [Closed && !Motor] { open -> Ajar } }\n";
     NeverGiven = 149, "a command that a controller never gives",
         "A controller that follows events decides for one command at most, where the feedback permits several. It takes the\n\
