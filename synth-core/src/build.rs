@@ -88,7 +88,7 @@ impl Build {
         self
     }
 
-    /// Makes the [monitor](crate::controller::monitor) of a specification's controller: `NAME_monitor.rs` with a module
+    /// Makes the [monitor](mod@crate::controller::monitor) of a specification's controller: `NAME_monitor.rs` with a module
     /// `name_monitor`, which knows which events are expected and gives no commands. [`Build::minimize`] means nothing to it.
     #[must_use]
     pub fn monitor(mut self) -> Self {

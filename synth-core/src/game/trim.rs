@@ -5,7 +5,6 @@
 //! is left holds every cycle that misses a goal, and in a good strategy nothing is left.
 
 use super::{Game, Strategy, acceptance::Acceptance};
-use fixedbitset::FixedBitSet;
 
 /// Goals that are looked at together.
 pub(super) const GOALS: usize = u64::BITS as usize;
@@ -19,8 +18,8 @@ pub(super) struct Trim<'a> {
     source: Vec<u32>,
     /// Per node: a play that stays there in silence is fair.
     rests: Vec<bool>,
-    /// The nodes to look at.
-    pending: FixedBitSet,
+    /// Per node: it must be looked at.
+    pending: Vec<bool>,
 }
 
 impl<'a> Trim<'a> {
@@ -51,7 +50,7 @@ impl<'a> Trim<'a> {
         }
         first.pop();
         let rests = strategy.state.iter().map(rests).collect();
-        Trim { game, strategy, first, source, rests, pending: FixedBitSet::with_capacity(nodes) }
+        Trim { game, strategy, first, source, rests, pending: vec![false; nodes] }
     }
 
     /// Per node: the goals, at most [`GOALS`], that a play from there may miss for ever.
@@ -67,24 +66,26 @@ impl<'a> Trim<'a> {
         }
         let mut alive: Vec<u64> = strategy.state.iter().map(|&state| open[state as usize]).collect();
         drop(open);
-        // Successors have mostly been found later than their predecessors, so a sweep goes backwards.
-        self.pending.insert_range(..);
-        while !self.pending.is_clear() {
-            let mut below = strategy.nodes();
-            while let Some(index) = last_below(&self.pending, below) {
-                below = index;
-                self.pending.set(index, false);
-                let before = alive[index];
-                if before == 0 || self.rests[index] {
+        // Successors have mostly been found later than their predecessors, so sweeps go backwards.
+        self.pending.fill(true);
+        let mut is_last = false;
+        while !is_last {
+            is_last = true;
+            for node in (0..strategy.nodes()).rev() {
+                let before = alive[node];
+                if !std::mem::take(&mut self.pending[node]) || before == 0 || self.rests[node] {
                     continue;
                 }
-                let after = before & self.missed_behind(index as u32, before, &alive, &kept);
-                if after != before {
-                    alive[index] = after;
-                    for &source in &self.source[self.first[index] as usize..self.first[index + 1] as usize] {
-                        if alive[source as usize] & before & !after != 0 {
-                            self.pending.insert(source as usize);
-                        }
+                let after = before & self.missed_behind(node as u32, before, &alive, &kept);
+                if after == before {
+                    continue;
+                }
+                alive[node] = after;
+                for &source in &self.source[self.first[node] as usize..self.first[node + 1] as usize] {
+                    let source = source as usize;
+                    if alive[source] & before & !after != 0 {
+                        self.pending[source] = true;
+                        is_last &= source < node;
                     }
                 }
             }
@@ -103,20 +104,5 @@ impl<'a> Trim<'a> {
             }
         }
         after
-    }
-}
-
-/// The last element of a set that is less than `below`.
-fn last_below(set: &FixedBitSet, below: usize) -> Option<usize> {
-    let words = set.as_slice();
-    let bits = usize::BITS as usize;
-    let (mut word, bit) = (below / bits, below % bits);
-    let mut value = if bit == 0 { 0 } else { words[word] & (usize::MAX >> (bits - bit)) };
-    loop {
-        if value != 0 {
-            return Some(word * bits + bits - 1 - value.leading_zeros() as usize);
-        }
-        word = word.checked_sub(1)?;
-        value = words[word];
     }
 }

@@ -22,28 +22,33 @@ pub(super) fn starving(graph: &Graph, open: &[u64], inner: u64, assumes: &[bool]
     // Whether a node must be looked at; those that may stay in silence never lose anything.
     let mut waits: Vec<bool> = nodes().map(goes_on).collect();
     let may_lose = waits.clone();
-    let mut waiting: Vec<u32> = (0..graph.nodes() as u32).filter(|&node| waits[node as usize]).collect();
     let (first, sources) = graph.sources();
-    // Most successors have higher numbers, and come first.
-    while let Some(node) = waiting.pop() {
-        let index = node as usize;
-        waits[index] = false;
-        let before = starving[index];
-        let mut after = 0;
-        for edge in graph.edges_of(node) {
-            if after == before {
-                break;
+    // Most successors have higher numbers, so each round begins at the end; what one says to those behind it, the next one hears.
+    let mut is_last = false;
+    while !is_last {
+        is_last = true;
+        for node in (0..graph.nodes()).rev() {
+            if !std::mem::take(&mut waits[node]) {
+                continue;
             }
-            let discharged = open[graph.discharged[edge as usize] as usize];
-            after |= before & starving[graph.target[edge as usize] as usize] & !discharged;
-        }
-        if after != before {
-            starving[index] = after;
-            for &source in &sources[first[index] as usize..first[index + 1] as usize] {
-                let index = source as usize;
-                if starving[index] & before & !after != 0 && may_lose[index] && !waits[index] {
-                    waits[index] = true;
-                    waiting.push(source);
+            let before = starving[node];
+            let mut after = 0;
+            for edge in graph.edges_of(node as u32) {
+                if after == before {
+                    break;
+                }
+                let discharged = open[graph.discharged[edge as usize] as usize];
+                after |= before & starving[graph.target[edge as usize] as usize] & !discharged;
+            }
+            if after == before {
+                continue;
+            }
+            starving[node] = after;
+            for &source in &sources[first[node] as usize..first[node + 1] as usize] {
+                let source = source as usize;
+                if starving[source] & before & !after != 0 && may_lose[source] {
+                    waits[source] = true;
+                    is_last &= source < node;
                 }
             }
         }
