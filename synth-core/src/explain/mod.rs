@@ -127,7 +127,7 @@ impl Explanation {
         let label = match (self.cause, &self.starved) {
             (Cause::EnvironmentViolates, _) => "the environment can violate this",
             (Cause::UrgentBlocked, _) => "this must be sent, and is blocked for ever",
-            (Cause::GuaranteesConflict, Some(_)) => "this could be met if it were the only guarantee",
+            (Cause::GuaranteesConflict, Some(_)) => "this could be met if it were the only obligation",
             (Cause::ObligationStarved, Some(_)) => "the environment can keep this from ever being met",
             (_, None) => "this can make a super step go on for ever",
         };
