@@ -6,11 +6,10 @@
 //! after the other.
 
 use crate::game::{KeySetsBuilder, Turn};
+use crate::parallel;
 use crate::playout::EventId;
 use crate::successors::{PackedMoves, SetId, StateId, StateStore, UNKNOWN_SET, hash_row};
-use std::num::NonZeroUsize;
 use std::ops::Range;
-use std::thread;
 
 /// Fewer states are not worth another thread.
 const LEAST_SHARE: usize = 512;
@@ -155,8 +154,7 @@ impl<'b> Reader<'b> {
     }
 }
 
-/// Fills blocks with the moves of these states, on at most so many threads, or as many as the machine runs at once if that is
-/// 0; how many blocks have been filled.
+/// Fills blocks with the moves of these states; how many blocks have been filled. `threads` as in [`parallel::share`].
 pub(super) fn fill(
     blocks: &mut Vec<Block>,
     store: &StateStore,
@@ -164,25 +162,5 @@ pub(super) fn fill(
     states: Range<StateId>,
     threads: usize,
 ) -> usize {
-    let threads = match (states.len() / LEAST_SHARE).max(1) {
-        // Asking the system takes longer than many a specification.
-        1 => 1,
-        most if threads == 0 => most.min(thread::available_parallelism().map_or(1, NonZeroUsize::get)),
-        most => most.min(threads),
-    };
-    blocks.resize_with(blocks.len().max(threads), Block::default);
-    let share = states.len().div_ceil(threads) as StateId;
-    let part = |index: usize| {
-        let start = (states.start + share * index as StateId).min(states.end);
-        start..(start + share).min(states.end)
-    };
-    let (first, others) = blocks[..threads].split_at_mut(1);
-    thread::scope(|scope| {
-        for (index, block) in others.iter_mut().enumerate() {
-            let part = part(index + 1);
-            scope.spawn(move || block.fill(store, sets, part));
-        }
-        first[0].fill(store, sets, part(0));
-    });
-    threads
+    parallel::share(blocks, states, LEAST_SHARE, threads, |block, part| block.fill(store, sets, part))
 }
