@@ -4,6 +4,7 @@
 //! depends on the specification alone. The losing state (and with classic semantics the won state) come last.
 
 mod batch;
+mod game_sets;
 #[cfg(feature = "json")]
 mod json;
 
@@ -12,11 +13,12 @@ pub use crate::successors::{StateId, StateStore};
 pub use json::write_json;
 
 use crate::diagnostic::counted;
-use crate::game::{ActionsBuilder, Game, KeySets, KeySetsBuilder, ShortestPaths, Turn, YIELD};
+use crate::game::{ActionsBuilder, Game, KeySets, ShortestPaths, Turn, YIELD};
 use crate::model::{Kind, Spec};
 use crate::playout::{EventId, KeyId, PlayError, Playout, Semantics};
-use crate::successors::{Learned, PackedMoves, SetId, UNKNOWN_SET, reserve};
+use crate::successors::{Learned, PackedMoves, UNKNOWN_SET, reserve};
 use batch::{Block, Found, Head, LOST, Reader, Target, WON};
+pub(crate) use game_sets::GameSets;
 use std::fmt;
 use std::ops::Range;
 
@@ -153,9 +155,8 @@ pub fn explore_with(playout: &mut Playout<'_>, limits: &Limits) -> Result<(State
         store: StateStore::new(playout, &initial),
         playout,
         graph: Graph { first: vec![0], ..Graph::default() },
-        sets: KeySetsBuilder::default(),
+        sets: GameSets::default(),
         actions: ActionsBuilder::default(),
-        set_of: Vec::new(),
         action_of: Vec::new(),
         row: Vec::new(),
         open: Vec::new(),
@@ -191,10 +192,8 @@ struct Explorer<'p, 's> {
     playout: &'p mut Playout<'s>,
     store: StateStore,
     graph: Graph,
-    sets: KeySetsBuilder,
+    sets: GameSets,
     actions: ActionsBuilder,
-    /// Per set of the successor function: that of the game, if it has one.
-    set_of: Vec<u32>,
     /// Per event, from 1 on, and for a yield: what it discharged last, and the action that this is.
     action_of: Vec<Option<(u32, u32)>>,
     /// A state, and its open keys.
@@ -233,14 +232,15 @@ impl Explorer<'_, '_> {
     fn find(&mut self, states: &Range<StateId>, threads: usize) -> (usize, Option<Mistake>) {
         let mut moves = PackedMoves::default();
         loop {
-            let filled = batch::fill(&mut self.blocks, &self.store, &self.sets, states.clone(), threads);
+            let filled =
+                batch::fill(&mut self.blocks, &self.store, &self.sets.builder, states.clone(), threads);
             self.learned.clear();
             let mut narrow = Vec::new();
             let mut mistake = None;
             let heads = self.blocks[..filled].iter().flat_map(Block::heads);
             for (state, _) in states.clone().zip(heads).filter(|(_, head)| head.missed) {
                 match self.store.learn(self.playout, state, &mut narrow, &mut moves) {
-                    Ok(Learned::Moves) => self.learned.add(&self.store, &self.sets, &moves),
+                    Ok(Learned::Moves) => self.learned.add(&self.store, &self.sets.builder, &moves),
                     Ok(Learned::Narrow) => {}
                     Err((event, error)) => {
                         mistake = Some((state, event, error));
@@ -286,7 +286,7 @@ impl Explorer<'_, '_> {
                 let state = self.graph.turn.len() as StateId;
                 let row = self.store.rows.get(state, &mut self.row);
                 self.store.successors.open_keys(row, &mut self.open);
-                self.sets.intern_bits(&self.open)
+                self.sets.builder.intern_bits(&self.open)
             }
             open => open,
         };
@@ -295,7 +295,7 @@ impl Explorer<'_, '_> {
                 Target::Known(state) => state,
                 Target::New(hash, row) => self.store.rows.intern(hash, row),
             };
-            let discharged = self.game_set(edge.discharged);
+            let discharged = self.sets.of(edge.discharged, &self.store);
             let action = self.action(edge.event, discharged);
             push(&mut self.graph.action, action);
             push(&mut self.graph.target, target);
@@ -305,19 +305,6 @@ impl Explorer<'_, '_> {
         push(&mut graph.silent, head.silent);
         push(&mut graph.open, open);
         push(&mut graph.first, graph.target.len() as u32);
-    }
-
-    /// The set of the game; they are numbered in the order in which they come up.
-    fn game_set(&mut self, set: SetId) -> u32 {
-        let index = set as usize;
-        if index >= self.set_of.len() {
-            self.set_of.resize(index + 1, UNKNOWN_SET);
-        }
-        if self.set_of[index] == UNKNOWN_SET {
-            let members: Vec<KeyId> = self.store.keys(set).collect();
-            self.set_of[index] = self.sets.intern(&members);
-        }
-        self.set_of[index]
     }
 
     /// The action of the game. Most events always discharge the same.
@@ -371,7 +358,7 @@ impl Explorer<'_, '_> {
         let graph = &self.graph;
         self.store.memory()
             + self.playout.memory()
-            + self.sets.memory()
+            + self.sets.builder.memory()
             + self.buffers
             + graph.target.capacity() * PER_EDGE
             + graph.turn.capacity() * PER_STATE
@@ -404,7 +391,7 @@ impl Explorer<'_, '_> {
         }
         turn.shrink_to_fit();
         silent.shrink_to_fit();
-        let key_sets = sets.finish();
+        let key_sets = sets.builder.finish();
         let is_open = open_somewhere(&open, &key_sets, playout.key_count());
         let of_kind = |kind: Kind| -> Vec<u32> {
             let spec = playout.spec();

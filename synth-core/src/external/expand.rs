@@ -1,9 +1,8 @@
 //! The moves of many rows, found by several threads.
 
 use super::counts::Counts;
+use crate::parallel;
 use crate::successors::{PackedMoves, Successors};
-use std::num::NonZeroUsize;
-use std::thread;
 
 /// Fewer rows are not worth another thread.
 const LEAST_SHARE: usize = 512;
@@ -42,31 +41,12 @@ impl Block {
     }
 }
 
-/// Fills blocks with the moves of a batch, on at most so many threads, or as many as the machine runs at once if that is 0;
-/// how many blocks have been filled.
+/// Fills blocks with the moves of a batch; how many blocks have been filled. `threads` as in [`parallel::share`].
 pub(super) fn fill(blocks: &mut Vec<Block>, successors: &Successors, batch: &[u64], threads: usize) -> usize {
     let words = successors.layout().words();
-    let rows = batch.len() / words;
-    let threads = match (rows / LEAST_SHARE).max(1) {
-        1 => 1,
-        most if threads == 0 => most.min(thread::available_parallelism().map_or(1, NonZeroUsize::get)),
-        most => most.min(threads),
-    };
-    blocks.resize_with(blocks.len().max(threads), Block::default);
-    let share = rows.div_ceil(threads);
-    let part = |index: usize| {
-        let start = (share * index).min(rows);
-        let end = (start + share).min(rows);
-        (start, &batch[start * words..end * words])
-    };
-    let (first, others) = blocks[..threads].split_at_mut(1);
-    thread::scope(|scope| {
-        for (index, block) in others.iter_mut().enumerate() {
-            let (start, rows) = part(index + 1);
-            scope.spawn(move || block.fill(successors, rows, start));
-        }
-        let (start, rows) = part(0);
-        first[0].fill(successors, rows, start);
-    });
-    threads
+    let rows = (batch.len() / words) as u32;
+    parallel::share(blocks, 0..rows, LEAST_SHARE, threads, |block, part| {
+        let (start, end) = (part.start as usize, part.end as usize);
+        block.fill(successors, &batch[start * words..end * words], start);
+    })
 }

@@ -1,10 +1,10 @@
 //! A game that is known in part: of some states all moves, of others only that they exist.
 
-use crate::explore::{ExploreError, LimitReached, Limits, open_somewhere};
-use crate::game::{ActionsBuilder, Game, KeySetsBuilder, Turn, YIELD};
+use crate::explore::{ExploreError, GameSets, LimitReached, Limits, open_somewhere};
+use crate::game::{ActionsBuilder, Game, Turn, YIELD};
 use crate::model::Kind;
 use crate::playout::{EventId, KeyId, PlayError, Playout};
-use crate::successors::{PackedMoves, SetId, StateId, StateStore, UNKNOWN_SET, reserve};
+use crate::successors::{PackedMoves, StateId, StateStore, reserve};
 
 /// Edges have `u32` offsets; one state adds fewer than the rest.
 const MOST_EDGES: usize = (u32::MAX - (1 << 24)) as usize;
@@ -36,10 +36,8 @@ pub(super) struct Partial<'p, 's> {
     action: Vec<u32>,
     /// Per edge: a state, [`LOST`] or [`WON`].
     target: Vec<StateId>,
-    sets: KeySetsBuilder,
+    sets: GameSets,
     actions: ActionsBuilder,
-    /// Per set of the successor function: that of the game, if it has one.
-    set_of: Vec<u32>,
     moves: PackedMoves,
 }
 
@@ -58,9 +56,8 @@ impl<'p, 's> Partial<'p, 's> {
             first: vec![0],
             action: Vec::new(),
             target: Vec::new(),
-            sets: KeySetsBuilder::default(),
+            sets: GameSets::default(),
             actions: ActionsBuilder::default(),
-            set_of: Vec::new(),
             moves: PackedMoves::default(),
         })
     }
@@ -108,7 +105,7 @@ impl<'p, 's> Partial<'p, 's> {
                 Some(Turn::Won) => WON,
                 Some(_) => LOST,
             };
-            let discharged = self.game_set(edge.discharged);
+            let discharged = self.sets.of(edge.discharged, &self.store);
             push(&mut self.action, self.actions.intern(edge.event, discharged));
             push(&mut self.target, target);
         }
@@ -122,23 +119,10 @@ impl<'p, 's> Partial<'p, 's> {
         push(&mut self.state, state);
         push(&mut self.turn, moves.turn);
         push(&mut self.silent, moves.silent);
-        push(&mut self.open, self.sets.intern_bits(moves.open_keys()));
+        push(&mut self.open, self.sets.builder.intern_bits(moves.open_keys()));
         push(&mut self.first, self.target.len() as u32);
         self.moves = moves;
         Ok(place)
-    }
-
-    /// The set of the game.
-    fn game_set(&mut self, set: SetId) -> u32 {
-        let index = set as usize;
-        if index >= self.set_of.len() {
-            self.set_of.resize(index + 1, UNKNOWN_SET);
-        }
-        if self.set_of[index] == UNKNOWN_SET {
-            let members: Vec<KeyId> = self.store.keys(set).collect();
-            self.set_of[index] = self.sets.intern(&members);
-        }
-        self.set_of[index]
     }
 
     /// What is known, as a game: its first states are the places, and all states without a place are one with this
@@ -151,7 +135,7 @@ impl<'p, 's> Partial<'p, 's> {
             WON => won,
             state => self.place(state).map_or(unknown, |place| place as u32),
         };
-        let key_sets = self.sets.sets().clone();
+        let key_sets = self.sets.builder.sets().clone();
         let is_open = open_somewhere(&self.open, &key_sets, self.playout.key_count());
         let of_kind = |kind: Kind| -> Vec<u32> {
             let scenarios = &self.playout.spec().scenarios;
@@ -242,7 +226,7 @@ impl<'p, 's> Partial<'p, 's> {
     pub(super) fn memory_of_states(&self) -> usize {
         self.store.memory()
             + self.playout.memory()
-            + self.sets.memory()
+            + self.sets.builder.memory()
             + self.place.capacity() * size_of::<u32>()
             + self.turn.capacity() * (3 * size_of::<u32>() + 2)
     }
