@@ -110,7 +110,7 @@ impl Guide for Winning<'_, '_> {
 /// The controller's moves, and those of the environment that it accepts.
 struct Controlled<'a> {
     controller: &'a Controller,
-    due: Vec<Option<&'a SuperStep>>,
+    due: Vec<Option<SuperStep<'a>>>,
     /// Environment events by their texts.
     events: BTreeMap<&'a str, usize>,
 }

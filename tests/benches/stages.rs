@@ -41,7 +41,7 @@ fn stages(criterion: &mut Criterion) {
         };
         let (large, small) = (synthesized(&unminimized), synthesized(&options));
         group.bench_function("minimise", |bencher| {
-            bencher.iter(|| minimize(black_box(&large), Level::Exact));
+            bencher.iter(|| minimize(black_box(large.clone()), Level::Exact));
         });
         group.bench_function("verify", |bencher| {
             bencher.iter(|| check(&spec, black_box(&small), &options).expect("it passes"));

@@ -17,7 +17,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::tables::{Random, event};
 use line::Line;
-use synth_core::controller::{Component, Controller, SuperStep};
+use synth_core::controller::{Component, Controller, SuperStep, SuperSteps};
 
 /// States of all kinds.
 pub const STATES: u32 = 3017;
@@ -150,7 +150,7 @@ fn number(rows: &[Row], steps: &[Vec<u32>]) -> Controller {
         (number, !known)
     };
     let mut environment = vec![Vec::new(); line::EVENTS.len()];
-    let mut super_steps = Vec::new();
+    let mut super_steps = SuperSteps::default();
     let mut at = 0;
     while let Some(&state) = queue.get(at) {
         at += 1;
@@ -162,7 +162,7 @@ fn number(rows: &[Row], steps: &[Vec<u32>]) -> Controller {
                 queue.push(row.target);
             }
             if let (Some((source, true)), Some(step)) = (through, row.step) {
-                super_steps.push(SuperStep { source, target, events: steps[step as usize].clone() });
+                super_steps.push(SuperStep { source, target, events: &steps[step as usize] });
             }
             let leads_to = through.map_or(target, |(state, _)| state);
             environment[row.event as usize].push((source, leads_to));
@@ -195,7 +195,8 @@ pub fn random(seed: u64) -> Controller {
     for (&(source, event), &target) in rows.iter().zip(&targets) {
         environment[event as usize].push((source, target));
     }
-    let super_steps = stepping.iter().map(|&source| {
+    let mut super_steps = SuperSteps::default();
+    for &source in &stepping {
         // No circle of super steps: they end in a waiting state, or in one of a higher number.
         let target = loop {
             let target = random.below(STATES);
@@ -203,9 +204,8 @@ pub fn random(seed: u64) -> Controller {
                 break target;
             }
         };
-        SuperStep { source, target, events: random_commands(random) }
-    });
-    let super_steps = super_steps.collect();
+        super_steps.push(SuperStep { source, target, events: &random_commands(random) });
+    }
     controller(environment, super_steps)
 }
 
@@ -260,8 +260,8 @@ fn components() -> Vec<Component> {
 }
 
 /// Owed is what a busy robot reports.
-fn controller(mut environment: Vec<Vec<(u32, u32)>>, mut super_steps: Vec<SuperStep>) -> Controller {
-    super_steps.sort_unstable_by_key(|step| step.source);
+fn controller(mut environment: Vec<Vec<(u32, u32)>>, mut super_steps: SuperSteps) -> Controller {
+    super_steps.sort();
     let mut owed = vec![Vec::new(); STATES as usize];
     for ((event, rows), text) in (0..).zip(&mut environment).zip(line::EVENTS) {
         rows.sort_unstable();
@@ -279,6 +279,6 @@ fn controller(mut environment: Vec<Vec<(u32, u32)>>, mut super_steps: Vec<SuperS
         components: components(),
         environment,
         super_steps,
-        owed,
+        owed: owed.iter().collect(),
     }
 }

@@ -22,21 +22,20 @@ struct Waiting {
 /// Number of states of the controller that wait for events: those of its Mealy machine.
 #[must_use]
 pub fn mealy_states(controller: &Controller) -> usize {
-    let acting: BTreeSet<u32> = controller.super_steps.iter().map(|step| step.source).collect();
+    let acting: BTreeSet<u32> = controller.super_steps.source.iter().copied().collect();
     controller.states as usize - acting.len()
 }
 
 impl Waiting {
     fn of(controller: &Controller) -> Waiting {
-        let due: BTreeMap<u32, usize> =
-            controller.super_steps.iter().enumerate().map(|(row, step)| (step.source, row)).collect();
+        let due: BTreeMap<u32, usize> = controller.super_steps.source.iter().copied().zip(0..).collect();
         let waiting: Vec<u32> = (0..controller.states).filter(|state| !due.contains_key(state)).collect();
         let number: BTreeMap<u32, usize> = waiting.iter().copied().zip(0..).collect();
         let follow = |mut state: u32| {
             let mut answer = Vec::new();
             while let Some(&row) = due.get(&state) {
-                answer.push(controller.super_steps[row].events.clone());
-                state = controller.super_steps[row].target;
+                answer.push(controller.super_steps.events[row].to_vec());
+                state = controller.super_steps.target[row];
             }
             (answer, number[&state])
         };

@@ -1,7 +1,7 @@
 //! Tables for tests of back ends: made by hand for one point each, or at random.
 
 use synth_core::controller::tables::{ComponentTable, EventTable, Mapping, Provenance, Requirement, Tables};
-use synth_core::controller::{Component, Controller, Event, SuperStep};
+use synth_core::controller::{Component, Controller, Event, SuperStep, SuperSteps};
 
 /// A reproducible source of numbers (splitmix64).
 pub struct Random(u64);
@@ -250,12 +250,13 @@ pub fn controller(tables: &Tables) -> Controller {
         first += count;
     }
     let rows = tables.super_steps.source.iter().zip(&tables.super_steps.target).enumerate();
-    let super_steps = rows.map(|(row, (&source, &target))| {
+    let mut super_steps = SuperSteps::default();
+    for (row, (&source, &target)) in rows {
         let codes = tables.components.iter().zip(&firsts).filter(|(c, _)| c.codes[row] != 0);
-        let events =
+        let events: Vec<u32> =
             codes.map(|(component, first)| first + component.codes[row] - 1).chain([inner]).collect();
-        SuperStep { source, target, events }
-    });
+        super_steps.push(SuperStep { source, target, events: &events });
+    }
     let rows = tables
         .events
         .iter()
@@ -265,9 +266,9 @@ pub fn controller(tables: &Tables) -> Controller {
         initial: tables.initial,
         events: tables.events.iter().map(|table| table.event.clone()).collect(),
         environment: rows.collect(),
-        super_steps: super_steps.collect(),
+        super_steps,
         commands,
         components,
-        owed: tables.owed.clone(),
+        owed: tables.owed.iter().collect(),
     }
 }

@@ -503,7 +503,7 @@ fn back_ends_take_the_tables() {
         .component("controller", "I go W, W done I");
     for plant in [corpus("distribution_station"), corpus("tank"), named.build()] {
         let controlled = controlled(plant);
-        let controller = number(minimize(&controller(&controlled.plant, &controlled.closed), Level::Exact));
+        let controller = number(minimize(controller(&controlled.plant, &controlled.closed), Level::Exact));
         assert_eq!(from_json(&to_json(&controller)), Ok(controller));
         for target in [Target::Iec, Target::Codesys, Target::Twincat, Target::Siemens, Target::Case] {
             let options = st::Options { target, ..st::Options::default() };
@@ -538,7 +538,7 @@ fn races_of_the_corpus() {
 #[test]
 fn the_station_runs() {
     let station = controlled(corpus("distribution_station"));
-    let controller = number(minimize(&controller(&station.plant, &station.closed), Level::Exact));
+    let controller = number(minimize(controller(&station.plant, &station.closed), Level::Exact));
     for drain in [false, true] {
         let mut machine = Machine::new(&controller);
         let mut entry = station.closed.initial;

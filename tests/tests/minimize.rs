@@ -58,7 +58,7 @@ fn how_far_from_the_smallest() {
         if mealy_states(&exact) > 100 {
             continue;
         }
-        let found = mealy_states(&minimize(&exact, Level::Ordered));
+        let found = mealy_states(&minimize(exact.clone(), Level::Ordered));
         let (least, clique) = smallest(&exact, 20_000);
         assert!(clique <= found, "{}: {clique} states cannot be merged, but there are {found}", entry.name);
         let least = least.unwrap_or_else(|| panic!("{}: not found", entry.name));
@@ -195,7 +195,7 @@ fn one_event_at_a_time_is_not_enough_for_a_scan() {
     let spec = blanks_first();
     let options = fast::options(false, 20_000);
     let raw = controller(&spec, Level::None, 20_000).expect("it is realizable");
-    let ordered = minimize(&raw, Level::Ordered);
+    let ordered = minimize(raw.clone(), Level::Ordered);
     let mut solved = fast::solved(&spec, &options).expect("it is small");
     match batches::agree(&mut solved.explored.playout, &raw, &ordered, 1_000_000) {
         Err(VerifyError::Refuted(refutation)) => {
@@ -227,8 +227,8 @@ fn too_many_batches_are_a_limit() {
 
 /// Where a controller comes to rest.
 fn rest(controller: &Controller, mut state: u32) -> u32 {
-    while let Ok(row) = controller.super_steps.binary_search_by_key(&state, |step| step.source) {
-        state = controller.super_steps[row].target;
+    while let Some(step) = controller.super_steps.due(state) {
+        state = step.target;
     }
     state
 }

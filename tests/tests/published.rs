@@ -22,8 +22,8 @@ fn check(controller: &Controller) {
 fn is_a_controller(controller: &Controller) {
     let ascends = |sources: &mut dyn Iterator<Item = u32>| sources.is_sorted_by(|a, b| a < b);
     assert!(controller.environment.iter().all(|rows| ascends(&mut rows.iter().map(|row| row.0))));
-    assert!(ascends(&mut controller.super_steps.iter().map(|step| step.source)));
-    let steps = |state| controller.super_steps.binary_search_by_key(&state, |step| step.source).is_ok();
+    assert!(ascends(&mut controller.super_steps.source.iter().copied()));
+    let steps = |state| controller.super_steps.due(state).is_some();
     assert!(controller.environment.iter().flatten().all(|&(source, _)| !steps(source)));
     for step in &controller.super_steps {
         let of = |c: &&synth_core::controller::Component| {
@@ -35,8 +35,8 @@ fn is_a_controller(controller: &Controller) {
     // No circle of super steps.
     for step in &controller.super_steps {
         let (mut state, mut count) = (step.target, 0);
-        while let Ok(row) = controller.super_steps.binary_search_by_key(&state, |step| step.source) {
-            state = controller.super_steps[row].target;
+        while let Some(step) = controller.super_steps.due(state) {
+            state = step.target;
             count += 1;
             assert!(count <= SUPER_STEPS, "a circle through {state}");
         }

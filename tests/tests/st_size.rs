@@ -84,7 +84,7 @@ fn cost(tables: &Tables, options: Options, drain: bool) -> String {
 #[test]
 fn report() {
     for (name, controller) in controllers() {
-        let minimized = minimize(&controller, Level::Exact);
+        let minimized = minimize(controller.clone(), Level::Exact);
         report_of(name, &laid_out(controller));
         report_of(&format!("{name}, minimised"), &laid_out(minimized));
     }

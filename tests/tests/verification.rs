@@ -62,19 +62,21 @@ fn for_each_mutant(original: &Controller, random: &mut Random, visit: &mut dyn F
         }
     }
     for row in 0..original.super_steps.len() {
-        let step = &original.super_steps[row];
-        mutant.super_steps[row].target = other(random, step.target);
+        let step = original.super_steps.row(row);
+        mutant.super_steps.target[row] = other(random, step.target);
         visit(&mutant, format!("the super step in {} leads elsewhere", step.source));
-        mutant.super_steps[row] = step.clone();
+        mutant.super_steps.target[row] = step.target;
         for (place, &event) in step.events.iter().enumerate() {
             let receiver = &original.commands[event as usize].receiver;
             for (other, command) in original.commands.iter().enumerate() {
                 if command.receiver == *receiver && other != event as usize {
-                    mutant.super_steps[row].events[place] = other as u32;
+                    let mut events = step.events.to_vec();
+                    events[place] = other as u32;
+                    mutant.super_steps.events.set(row, &events);
                     visit(&mutant, format!("the super step in {} sends `{}`", step.source, command.text));
                 }
             }
-            mutant.super_steps[row] = step.clone();
+            mutant.super_steps.events.set(row, step.events);
         }
     }
 }
@@ -126,11 +128,16 @@ fn damaged(original: &Controller, random: &mut Random) -> Controller {
     } else {
         let row = random.below(controller.super_steps.len());
         match random.below(3) {
-            0 => controller.super_steps[row].target = state,
-            1 => drop(controller.super_steps.remove(row)),
+            0 => controller.super_steps.target[row] = state,
+            1 => {
+                let others = original.super_steps.iter().enumerate().filter(|(other, _)| *other != row);
+                controller.super_steps = others.map(|(_, step)| step).collect();
+            }
             _ => {
                 let command = random.below(controller.commands.len()) as u32;
-                controller.super_steps[row].events[0] = command;
+                let mut events = original.super_steps.events[row].to_vec();
+                events[0] = command;
+                controller.super_steps.events.set(row, &events);
             }
         }
     }

@@ -156,9 +156,8 @@ impl<'a> Machine<'a> {
         rows.binary_search_by_key(&self.state, |row| row.0).ok().map(|row| rows[row].1)
     }
 
-    fn due(&self) -> Option<&'a SuperStep> {
-        let steps = &self.controller.super_steps;
-        steps.binary_search_by_key(&self.state, |step| step.source).ok().map(|row| &steps[row])
+    fn due(&self) -> Option<SuperStep<'a>> {
+        self.controller.super_steps.due(self.state)
     }
 
     /// Consumes what fits; whether there was anything.
@@ -183,14 +182,14 @@ impl<'a> Machine<'a> {
         }
     }
 
-    fn commands_again(&self, step: &SuperStep, commands: &Commands) -> bool {
+    fn commands_again(&self, step: SuperStep<'_>, commands: &Commands) -> bool {
         let mut codes = step.events.iter().filter_map(|&event| self.code[event as usize]);
         codes.any(|(component, _)| commands.codes[component] != 0)
     }
 
-    fn perform(&mut self, step: &SuperStep, commands: &mut Commands) {
+    fn perform(&mut self, step: SuperStep<'_>, commands: &mut Commands) {
         self.state = step.target;
-        for &event in &step.events {
+        for &event in step.events {
             commands.events.push(event);
             if let Some((component, code)) = self.code[event as usize] {
                 commands.codes[component] = code;
@@ -392,7 +391,7 @@ mod tests {
     #[test]
     fn accepts_and_owed_tell_of_the_present_state() {
         let mut controller = controller(ARM);
-        controller.owed[2] = vec![1];
+        controller.owed.set(2, &[1]);
         let mut machine = Machine::new(&controller);
         assert_eq!((machine.accepts(0), machine.accepts(1), machine.owed()), (true, true, &[][..]));
         machine.react(0).expect("`a` is accepted");

@@ -8,7 +8,7 @@
 //!
 //! State 0 is the initial one. `log` is a controllable object, every other receiver a component.
 
-use super::{Component, Controller, Event, SuperStep};
+use super::{Component, Controller, Event, Lists, SuperStep, SuperSteps};
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -70,7 +70,7 @@ pub(super) fn build(states: &[State]) -> Controller {
         .map(|(object, commands)| Component { object: object.to_owned(), commands })
         .collect();
     let mut environment = vec![Vec::new(); events.len()];
-    let mut super_steps = Vec::new();
+    let mut super_steps = SuperSteps::default();
     for (source, state) in (0..).zip(states) {
         match state {
             State::Environment(rows) => {
@@ -79,12 +79,12 @@ pub(super) fn build(states: &[State]) -> Controller {
                 }
             }
             State::SuperStep(list, target) => {
-                let events = list.iter().map(|short| index(&commands, &command(short))).collect();
-                super_steps.push(SuperStep { source, target: *target, events });
+                let events: Vec<u32> = list.iter().map(|short| index(&commands, &command(short))).collect();
+                super_steps.push(SuperStep { source, target: *target, events: &events });
             }
         }
     }
-    let owed = vec![Vec::new(); states.len()];
+    let owed = Lists::empty(states.len());
     let states = states.len() as u32;
     Controller { states, initial: 0, events, commands, components, environment, super_steps, owed }
 }
@@ -93,10 +93,9 @@ pub(super) fn build(states: &[State]) -> Controller {
 pub(super) fn show(controller: &Controller) -> String {
     let mut text = String::new();
     for state in 0..controller.states {
-        let step = controller.super_steps.iter().find(|step| step.source == state);
-        if let Some(step) = step {
+        if let Some(step) = controller.super_steps.due(state) {
             let _ = write!(text, "{state}!");
-            for &event in &step.events {
+            for &event in step.events {
                 let event = &controller.commands[event as usize];
                 let _ = write!(text, " {}.{}", event.receiver, event.operation);
             }
@@ -149,8 +148,10 @@ pub(super) fn controllers(max: u32) -> impl Strategy<Value = Controller> {
     states(max).prop_map(|states| {
         let mut controller = build(&states);
         let events = controller.events.len() as u32;
-        for (state, owed) in controller.owed.iter_mut().enumerate().step_by(2) {
-            owed.extend((0..events).filter(|event| (state as u32 + event).is_multiple_of(3)));
+        for state in (0..controller.owed.len()).step_by(2) {
+            let owed: Vec<u32> =
+                (0..events).filter(|event| (state as u32 + event).is_multiple_of(3)).collect();
+            controller.owed.set(state, &owed);
         }
         controller
     })

@@ -12,7 +12,7 @@
 //! `"assume"` says that states were merged by don't-cares, and what the controller is for; it is absent otherwise. Unknown fields
 //! are passed over. A system event between controllable objects that no super step has is not in the format.
 
-use super::{Component, Controller, Event, Level, SuperStep};
+use super::{Component, Controller, Event, Level, Lists, SuperStep, SuperSteps};
 use crate::diagnostic::counted;
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use std::collections::BTreeMap;
@@ -62,7 +62,7 @@ fn text(controller: &Controller, level: Level, monitor: bool) -> String {
     }
     let command = |&index: &u32| controller.commands[index as usize].text.as_str();
     let mut owed: BTreeMap<&str, Vec<u32>> = BTreeMap::new();
-    for (state, events) in (0..).zip(&controller.owed) {
+    for (state, events) in (0..).zip(controller.owed.iter()) {
         for &event in events {
             owed.entry(&controller.events[event as usize].text).or_default().push(state);
         }
@@ -347,7 +347,7 @@ fn read_super_steps(
     states: u32,
     components: &[Component],
     commands: &[Event],
-) -> Result<Vec<SuperStep>, String> {
+) -> Result<SuperSteps, String> {
     let mut component_of = vec![None; commands.len()];
     for (component, indices) in (0..).zip(components.iter().map(|component| &component.commands)) {
         for &command in indices {
@@ -356,14 +356,15 @@ fn read_super_steps(
     }
     // Per component: the last super step that commands it.
     let mut commanded = vec![usize::MAX; components.len()];
-    let mut super_steps = Vec::with_capacity(steps.len());
+    let mut super_steps = SuperSteps::default();
+    let mut events = Vec::new();
     for (i, Step(source, target, texts)) in steps.iter().enumerate() {
         let place = format_args!("supersteps[{i}]");
         check_row(place, *source, *target, states)?;
         if texts.is_empty() {
             return Err(format!("{place}: there is no event"));
         }
-        let mut events = Vec::with_capacity(texts.len());
+        events.clear();
         for text in texts {
             let command = position(commands, text).expect("all commands were collected");
             events.push(command);
@@ -376,11 +377,11 @@ fn read_super_steps(
                 return Err(format!("{place}: {text:?} has no code in components[{receiver:?}]"));
             }
         }
-        super_steps.push(SuperStep { source: *source, target: *target, events });
+        super_steps.push(SuperStep { source: *source, target: *target, events: &events });
     }
-    super_steps.sort_by_key(|step| step.source);
-    if let Some(pair) = super_steps.windows(2).find(|pair| pair[0].source == pair[1].source) {
-        return Err(format!("supersteps: two rows for state {}", pair[0].source));
+    super_steps.sort();
+    if let Some(pair) = super_steps.source.windows(2).find(|pair| pair[0] == pair[1]) {
+        return Err(format!("supersteps: two rows for state {}", pair[0]));
     }
     Ok(super_steps)
 }

@@ -1,10 +1,8 @@
 //! Fewer states with the same behaviour.
 
-use super::partition::{Partition, bucket};
+use super::bisimulation::{Rows, bisimulation};
 use super::reduce::{Mealy, least, reduce};
-use super::{Controller, SuperStep};
-use hashbrown::HashMap;
-use rustc_hash::FxBuildHasher;
+use super::{Controller, SuperSteps};
 use std::str::FromStr;
 
 /// How far [`minimize`] goes.
@@ -59,15 +57,14 @@ impl FromStr for Level {
 /// What a state owes is the union over the reachable states that it stands for.
 ///
 /// [`Level::Exact`] is the coarsest bisimulation of the partial deterministic automaton whose labels are the
-/// environment events and the distinct lists of super steps. It takes `O(m log n)` for `m` rows and `n` states
-/// (Valmari and Lehtinen, "Efficient minimization of DFAs with partial transition functions", STACS 2008).
+/// environment events and the distinct lists of super steps. See `bisimulation`.
 #[must_use]
-pub fn minimize(controller: &Controller, level: Level) -> Controller {
+pub fn minimize(controller: Controller, level: Level) -> Controller {
     match level {
-        Level::None => controller.clone(),
+        Level::None => controller,
         Level::Exact | Level::Assume => {
-            let rows = Rows::new(controller);
-            quotient(controller, &rows, &bisimulation(controller, &rows))
+            let rows = Rows::new(&controller);
+            quotient(controller.without_rows(), &rows)
         }
         Level::Ordered => {
             let exact = minimize(controller, Level::Exact);
@@ -102,101 +99,22 @@ pub fn never_fewer(controller: &Controller) -> Option<usize> {
     Mealy::new(controller, &nothing).map(|mealy| least(&mealy))
 }
 
-/// All rows of a controller in table order: per event, then the super steps.
-struct Rows {
-    source: Vec<u32>,
-    target: Vec<u32>,
-    /// Row of the first super step.
-    super_steps: u32,
-}
-
-impl Rows {
-    fn new(controller: &Controller) -> Self {
-        let environment: usize = controller.environment.iter().map(Vec::len).sum();
-        let mut source = Vec::with_capacity(environment + controller.super_steps.len());
-        let mut target = Vec::with_capacity(environment + controller.super_steps.len());
-        for &(from, to) in controller.environment.iter().flatten() {
-            source.push(from);
-            target.push(to);
-        }
-        for step in &controller.super_steps {
-            source.push(step.source);
-            target.push(step.target);
-        }
-        Rows { source, target, super_steps: environment as u32 }
-    }
-}
-
-/// Per row its label, and the number of labels.
-fn labels(controller: &Controller) -> (Vec<u32>, u32) {
-    let mut labels = Vec::new();
-    let mut count = 0;
-    // A partition has no empty set: an event without rows gets no label.
-    for rows in controller.environment.iter().filter(|rows| !rows.is_empty()) {
-        labels.resize(labels.len() + rows.len(), count);
-        count += 1;
-    }
-    let mut lists: HashMap<&[u32], u32, FxBuildHasher> = HashMap::default();
-    for step in &controller.super_steps {
-        let label = *lists.entry(&step.events).or_insert_with(|| {
-            count += 1;
-            count - 1
-        });
-        labels.push(label);
-    }
-    (labels, count)
-}
-
-/// Per state its class.
-///
-/// Two partitions refine each other: states into blocks, rows into cords. All rows of a cord have the same label and
-/// lead into the same block. The sources of a cord split blocks (only some states of a block have such a row);
-/// the rows into a new block split cords.
-fn bisimulation(controller: &Controller, rows: &Rows) -> Vec<u32> {
-    let states = controller.states;
-    let (incoming, by_target) = bucket(&rows.target, states);
-    let (labels, count) = labels(controller);
-    // Rows go by their place in `by_target` here, so that those into a state are neighbours.
-    let pick = |per_row: &[u32]| -> Vec<u32> { by_target.iter().map(|&row| per_row[row as usize]).collect() };
-    let source = pick(&rows.source);
-    let mut cords = Partition::new(&pick(&labels), count);
-    let mut blocks = Partition::new(&vec![0; states as usize], 1);
-    let mut cord = 0;
-    // Block 0 splits no cord: every row leads into it.
-    let mut block = 1;
-    while cord < cords.sets() {
-        for &row in cords.elements(cord) {
-            blocks.mark(source[row as usize]);
-        }
-        blocks.split();
-        cord += 1;
-        while block < blocks.sets() {
-            for &state in blocks.elements(block) {
-                for row in incoming[state as usize]..incoming[state as usize + 1] {
-                    cords.mark(row);
-                }
-            }
-            cords.split();
-            block += 1;
-        }
-    }
-    blocks.into_sets()
-}
-
 const UNSEEN: u32 = u32::MAX;
 
-/// One state per class that can be reached.
+/// One state per class that can be reached, of a controller with these rows.
 ///
 /// The search goes through the states, not the classes: the first state met of a class gives its rows, the others
 /// only what they owe. Classes are met in the order in which a search through classes would meet them, because
 /// the rows of a later state of a class lead to classes that are known already.
-fn quotient(controller: &Controller, rows: &Rows, class: &[u32]) -> Controller {
-    let (outgoing, by_source) = bucket(&rows.source, controller.states);
-    let label = row_events(controller);
+fn quotient(controller: Controller, rows: &Rows) -> Controller {
+    let class = bisimulation(rows);
+    let events = controller.events.len() as u32;
     let mut environment = vec![Vec::new(); controller.events.len()];
-    let mut super_steps = Vec::new();
-    let mut owed: Vec<Vec<u32>> = Vec::new();
-    let mut number = vec![UNSEEN; class.len()];
+    let mut super_steps =
+        SuperSteps { events: controller.super_steps.events.cleared(), ..SuperSteps::default() };
+    let mut owed = controller.owed.cleared();
+    let mut union = Vec::new();
+    let mut number = vec![UNSEEN; class.iter().max().map_or(0, |&most| most as usize + 1)];
     let mut seen = vec![false; class.len()];
     let mut queue = vec![controller.initial];
     seen[controller.initial as usize] = true;
@@ -205,17 +123,8 @@ fn quotient(controller: &Controller, rows: &Rows, class: &[u32]) -> Controller {
     let mut head = 0;
     while let Some(&state) = queue.get(head) {
         head += 1;
-        let source = number[class[state as usize] as usize];
-        // Classes are numbered when queued and so come out in order: a number without an entry is a new class.
-        let first_of_class = source as usize == owed.len();
-        if first_of_class {
-            owed.push(Vec::new());
-        }
-        owed[source as usize].extend_from_slice(&controller.owed[state as usize]);
-        for &row in &by_source[outgoing[state as usize] as usize..outgoing[state as usize + 1] as usize] {
-            let next = rows.target[row as usize];
-            if !seen[next as usize] {
-                seen[next as usize] = true;
+        for &next in rows.of(state) {
+            if !std::mem::replace(&mut seen[next as usize], true) {
                 queue.push(next);
             }
             let target = &mut number[class[next as usize] as usize];
@@ -223,41 +132,32 @@ fn quotient(controller: &Controller, rows: &Rows, class: &[u32]) -> Controller {
                 *target = numbered;
                 numbered += 1;
             }
-            if !first_of_class {
-                continue;
+        }
+        let source = number[class[state as usize] as usize];
+        let promised = controller.owed.number(state as usize);
+        // Classes are numbered when queued and so come out in order: a number without an entry is a new class.
+        if (source as usize) < owed.len() {
+            if owed.number(source as usize) != promised {
+                union.clear();
+                union.extend_from_slice(&owed[source as usize]);
+                union.extend_from_slice(controller.owed.list(promised));
+                union.sort_unstable();
+                union.dedup();
+                owed.set(source as usize, &union);
             }
-            match row.checked_sub(rows.super_steps) {
-                None => environment[label[row as usize] as usize].push((source, *target)),
-                Some(step) => {
-                    let events = controller.super_steps[step as usize].events.clone();
-                    super_steps.push(SuperStep { source, target: *target, events });
-                }
+            continue;
+        }
+        owed.push_number(promised);
+        let labels = rows.kinds.descending(rows.kinds.of[state as usize]);
+        for (label, &next) in labels.zip(rows.of(state).iter().rev()) {
+            let target = number[class[next as usize] as usize];
+            match label.checked_sub(events) {
+                None => environment[label as usize].push((source, target)),
+                Some(list) => super_steps.push_number(source, target, list),
             }
         }
     }
-    for events in &mut owed {
-        events.sort_unstable();
-        events.dedup();
-    }
-    Controller {
-        states: numbered,
-        initial: 0,
-        events: controller.events.clone(),
-        commands: controller.commands.clone(),
-        components: controller.components.clone(),
-        environment,
-        super_steps,
-        owed,
-    }
-}
-
-/// Per environment row its event.
-fn row_events(controller: &Controller) -> Vec<u32> {
-    let mut events = Vec::new();
-    for (event, rows) in controller.environment.iter().enumerate() {
-        events.resize(events.len() + rows.len(), event as u32);
-    }
-    events
+    Controller { states: numbered, initial: 0, environment, super_steps, owed, ..controller }
 }
 
 #[cfg(test)]
@@ -269,7 +169,7 @@ mod tests {
 
     #[track_caller]
     fn check(input: &str, expected: &str) {
-        assert_eq!(show(&minimize(&controller(input), Level::Exact)), trim(expected));
+        assert_eq!(show(&minimize(controller(input), Level::Exact)), trim(expected));
     }
 
     #[test]
@@ -321,14 +221,14 @@ mod tests {
     #[test]
     fn a_class_owes_what_its_reachable_states_owe() {
         let mut input = controller("0: a 1, b 2, c 0 \n 1! arm.go 0 \n 2! arm.go 0 \n 3! arm.go 0");
-        input.owed = vec![vec![2], vec![1, 2], vec![0, 1], vec![2]];
-        assert_eq!(minimize(&input, Level::Exact).owed, [vec![2], vec![0, 1, 2]]);
+        input.owed = [vec![2], vec![1, 2], vec![0, 1], vec![2]].iter().collect();
+        assert_eq!(minimize(input, Level::Exact).owed, [vec![2], vec![0, 1, 2]].iter().collect());
     }
 
     #[test]
     fn level_none_keeps_everything() {
         let input = controller("0: a 2 \n 1: b 0 \n 2: a 2");
-        assert_eq!(minimize(&input, Level::None), input);
+        assert_eq!(minimize(input.clone(), Level::None), input);
     }
 
     /// The rows of a state: per label (event, or list of commands) the target.
@@ -342,7 +242,7 @@ mod tests {
             }
         }
         for step in &controller.super_steps {
-            assert_eq!(moves[step.source as usize].insert((None, step.events.clone()), step.target), None);
+            assert_eq!(moves[step.source as usize].insert((None, step.events.to_vec()), step.target), None);
         }
         moves
     }
@@ -413,10 +313,10 @@ mod tests {
     proptest! {
         #[test]
         fn the_result_is_minimal_and_behaves_the_same(input in controllers(24)) {
-            let result = minimize(&input, Level::Exact);
+            let result = minimize(input.clone(), Level::Exact);
             assert_bisimilar(&input, &result);
             prop_assert_eq!(result.states as usize, classes_after_moore(&input));
-            prop_assert_eq!(&minimize(&result, Level::Exact), &result);
+            prop_assert_eq!(&minimize(result.clone(), Level::Exact), &result);
         }
 
         #[test]
@@ -425,15 +325,15 @@ mod tests {
             copies in 1_u32..4,
             choices in prop::collection::vec(0_u32..100, 1..40),
         ) {
-            let unfolded = minimize(&build(&unfold(&states, copies, &choices)), Level::Exact);
-            prop_assert_eq!(unfolded, minimize(&build(&states), Level::Exact));
+            let unfolded = minimize(build(&unfold(&states, copies, &choices)), Level::Exact);
+            prop_assert_eq!(unfolded, minimize(build(&states), Level::Exact));
         }
 
         #[test]
         fn rows_are_sorted_and_states_breadth_first(input in controllers(24)) {
-            let result = minimize(&input, Level::Exact);
+            let result = minimize(input.clone(), Level::Exact);
             prop_assert!(result.environment.iter().all(|rows| rows.is_sorted_by(|a, b| a.0 < b.0)));
-            prop_assert!(result.super_steps.is_sorted_by(|a, b| a.source < b.source));
+            prop_assert!(result.super_steps.source.is_sorted_by(|a, b| a < b));
             let mut met = 0;
             for (state, row) in moves(&result).iter().enumerate() {
                 prop_assert!(state as u32 <= met);

@@ -1,6 +1,7 @@
 //! The controller: a deterministic machine over environment events and super steps, and what is made of it.
 
 mod alphabet;
+mod bisimulation;
 pub(crate) mod calls;
 pub mod comb;
 pub mod cycle;
@@ -9,20 +10,25 @@ mod event_text;
 mod fixtures;
 #[cfg(feature = "json")]
 pub mod json;
+mod kinds;
+mod lists;
 pub mod minimize;
 pub mod monitor;
 pub mod number;
 pub(crate) mod partition;
 mod reduce;
 pub mod runs;
+mod step_table;
 pub mod stimulus;
 pub mod super_steps;
 pub mod tables;
 
 pub use alphabet::{Alphabet, Letter};
+pub use lists::Lists;
 pub use minimize::{Level, minimize, minimize_assuming, never_fewer};
 pub use monitor::monitor;
 pub use number::number;
+pub use step_table::{SuperStep, SuperSteps};
 pub use super_steps::{EndlessSuperStep, interface, merge};
 
 /// An event of the controlled system, taken apart.
@@ -49,18 +55,6 @@ pub struct Component {
     pub commands: Vec<u32>,
 }
 
-/// One row of the super steps.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct SuperStep {
-    /// The state in which it is due.
-    pub source: u32,
-    /// The state after it.
-    pub target: u32,
-    /// Its system events in order, as indices into [`Controller::commands`]; never empty, and at most one of each
-    /// component.
-    pub events: Vec<u32>,
-}
-
 /// A controller, already split (at most one command per component in a super step).
 ///
 /// In a state with environment rows and a super step, events that are pending go first. Only controllers of plants have such
@@ -82,7 +76,14 @@ pub struct Controller {
     /// Per environment event its rows `(source, target)`, sources ascending.
     pub environment: Vec<Vec<(u32, u32)>>,
     /// In ascending order of their sources.
-    pub super_steps: Vec<SuperStep>,
+    pub super_steps: SuperSteps,
     /// Per state: the environment events (indices, ascending) that assumptions promise there.
-    pub owed: Vec<Vec<u32>>,
+    pub owed: Lists,
+}
+
+impl Controller {
+    /// Without the environment's rows, whose memory is free then.
+    fn without_rows(self) -> Controller {
+        Controller { environment: vec![Vec::new(); self.events.len()], ..self }
+    }
 }

@@ -4,7 +4,7 @@
 //! ([`Level::Ordered`], [`Level::Assume`]). A monitor does: it has the events of the strategy and no commands, refuses what the strategy
 //! refuses, and is far smaller than a controller that does both. It is a [`Controller`] like any other, for every back end.
 
-use super::{Controller, Level, SuperStep, minimize};
+use super::{Controller, Level, Lists, SuperSteps, minimize};
 use hashbrown::HashSet;
 use rustc_hash::FxBuildHasher;
 
@@ -15,9 +15,9 @@ use rustc_hash::FxBuildHasher;
 #[must_use]
 pub fn monitor(controller: &Controller) -> Controller {
     let rest = Rest::new(controller);
-    let acts = &rest.due;
+    let after = &rest.after;
     let environment = controller.environment.iter().map(|rows| {
-        let waiting = rows.iter().filter(|(source, _)| acts[*source as usize].is_none());
+        let waiting = rows.iter().filter(|(source, _)| after[*source as usize].is_none());
         waiting.map(|&(source, target)| (source, rest.of(target))).collect()
     });
     let events_only = Controller {
@@ -27,10 +27,10 @@ pub fn monitor(controller: &Controller) -> Controller {
         commands: Vec::new(),
         components: Vec::new(),
         environment: environment.collect(),
-        super_steps: Vec::new(),
-        owed: vec![Vec::new(); controller.states as usize],
+        super_steps: SuperSteps::default(),
+        owed: Lists::empty(controller.states as usize),
     };
-    minimize(&events_only, Level::Exact)
+    minimize(events_only, Level::Exact)
 }
 
 /// Whether a monitor expects just the events that the controller takes, on every way that leads from the initial states: by walking
@@ -38,10 +38,7 @@ pub fn monitor(controller: &Controller) -> Controller {
 #[must_use]
 pub fn agrees(monitor: &Controller, controller: &Controller) -> bool {
     let (expected, taken) = (ByState::new(monitor), ByState::new(controller));
-    let mut steps = vec![None; controller.states as usize];
-    for step in &controller.super_steps {
-        steps[step.source as usize] = Some(step.target);
-    }
+    let steps = Rest::new(controller).after;
     let start = (monitor.initial, controller.initial);
     let mut known: HashSet<(u32, u32), FxBuildHasher> = HashSet::default();
     known.insert(start);
@@ -66,26 +63,26 @@ pub fn agrees(monitor: &Controller, controller: &Controller) -> bool {
 }
 
 /// Where a controller comes to rest.
-struct Rest<'a> {
-    /// Per state its super step.
-    due: Vec<Option<&'a SuperStep>>,
+struct Rest {
+    /// Per state the one after its super step.
+    after: Vec<Option<u32>>,
 }
 
-impl<'a> Rest<'a> {
-    fn new(controller: &'a Controller) -> Self {
-        let mut due = vec![None; controller.states as usize];
+impl Rest {
+    fn new(controller: &Controller) -> Self {
+        let mut after = vec![None; controller.states as usize];
         for step in &controller.super_steps {
-            due[step.source as usize] = Some(step);
+            after[step.source as usize] = Some(step.target);
         }
-        Rest { due }
+        Rest { after }
     }
 
     /// The state in which the controller waits, from `state` on.
     fn of(&self, mut state: u32) -> u32 {
         // A chain is as long as there are states at most, unless it has no end.
-        for _ in 0..self.due.len() {
-            match self.due[state as usize] {
-                Some(step) => state = step.target,
+        for _ in 0..self.after.len() {
+            match self.after[state as usize] {
+                Some(target) => state = target,
                 None => break,
             }
         }

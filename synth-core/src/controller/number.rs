@@ -4,10 +4,8 @@
 //! neighbouring numbers here; so most tables become a few *runs* of consecutive states (see [`super::runs`]).
 
 use super::Controller;
+use super::kinds::Kinds;
 use super::partition::bucket;
-use hashbrown::HashMap;
-use rustc_hash::FxBuildHasher;
-use std::cmp::Ordering;
 
 /// The same controller with other numbers; the initial state is 0.
 ///
@@ -17,30 +15,33 @@ use std::cmp::Ordering;
 /// are in the order of their commands. Among equals the former order stays.
 #[must_use]
 pub fn number(controller: Controller) -> Controller {
-    let rows = Rows::of(&controller);
-    let order = order(&controller, &rows);
+    let order = order(&controller);
     let mut number = vec![0; order.len()];
     for (new, &old) in (0..).zip(&order) {
         number[old as usize] = new;
     }
-    renamed(controller, &rows, &order, &number)
+    renamed(controller, &order, &number)
 }
 
 /// The states in their new order.
-fn order(controller: &Controller, rows: &Rows) -> Vec<u32> {
+fn order(controller: &Controller) -> Vec<u32> {
     let initial = controller.initial as usize;
-    let commands = commands(controller);
-    // There are few sets of events and few lists of commands: ranks are all that states are compared by.
-    let (accepted, sets) = ranks((0..controller.states).map(|state| rows.events_of(state)), gray);
-    let (commanded, lists) = ranks(commands.iter().map(|list| list.as_deref().unwrap_or(&[])), Ord::cmp);
-    let behind = if commands[initial].is_some() { (lists, 0) } else { (0, sets) };
-    let key = |state: usize| match &commands[state] {
-        None => behind.0 + accepted[state],
-        Some(_) => behind.1 + commanded[state],
-    };
-    let keys: Vec<u32> = (0..commands.len()).map(key).collect();
+    let kinds = Kinds::of_events(controller);
+    let (commanded, lists) = by_commands(controller);
+    // There are few sets of events and few lists of commands: their ranks are all that states are compared by.
+    let accepted = gray(&kinds);
+    let sets = kinds.len() as u32;
+    let mut keys = kinds.of;
+    keys.iter_mut().for_each(|kind| *kind = accepted[*kind as usize]);
+    let acts = |state: u32| controller.super_steps.source.binary_search(&state).is_ok();
+    let (waiting, acting) = if acts(controller.initial) { (lists, 0) } else { (0, sets) };
+    keys.iter_mut().for_each(|key| *key += waiting);
+    for (&source, &list) in controller.super_steps.source.iter().zip(controller.super_steps.events.numbers())
+    {
+        keys[source as usize] = acting + commanded[list as usize];
+    }
     let (bounds, mut order) = bucket(&keys, sets + lists);
-    let section = keys.iter().filter(|&&key| key < behind.0.max(behind.1)).count();
+    let section = bounds[waiting.max(acting) as usize] as usize;
     // The initial state is the first of its equals, and then of all.
     let start = bounds[keys[initial] as usize] as usize;
     let place = order[start..].iter().position(|&state| state as usize == initial).unwrap_or(0);
@@ -49,113 +50,112 @@ fn order(controller: &Controller, rows: &Rows) -> Vec<u32> {
     order
 }
 
-/// Per list its rank among the distinct ones, and how many these are.
-fn ranks<'l>(
-    lists: impl Iterator<Item = &'l [u32]>,
-    compare: impl Fn(&[u32], &[u32]) -> Ordering,
-) -> (Vec<u32>, u32) {
-    let mut numbers: HashMap<&[u32], u32, FxBuildHasher> = HashMap::default();
-    let mut distinct: Vec<&[u32]> = Vec::new();
-    let mut ranks: Vec<u32> = lists
-        .map(|list| {
-            *numbers.entry(list).or_insert_with(|| {
-                distinct.push(list);
-                distinct.len() as u32 - 1
-            })
-        })
-        .collect();
-    let mut sorted: Vec<u32> = (0..distinct.len() as u32).collect();
-    sorted.sort_unstable_by(|&a, &b| compare(distinct[a as usize], distinct[b as usize]));
-    let mut rank = vec![0; sorted.len()];
-    (0..).zip(&sorted).for_each(|(place, &number)| rank[number as usize] = place);
-    ranks.iter_mut().for_each(|number| *number = rank[*number as usize]);
-    (ranks, sorted.len() as u32)
-}
-
-/// Compares two sets, as ascending lists, by their places in a reflected Gray code whose leading digit is the
-/// smallest element: the first digit in which they differ decides, in turned order behind an odd number of ones.
-fn gray(a: &[u32], b: &[u32]) -> Ordering {
-    let shared = a.iter().zip(b).take_while(|(a, b)| a == b).count();
-    let differing = |list: &[u32]| list.get(shared).copied().unwrap_or(u32::MAX);
-    // Who has the smaller element has the digit 1.
-    let order = differing(b).cmp(&differing(a));
-    if shared % 2 == 0 { order } else { order.reverse() }
-}
-
-/// The environment's rows by states.
-struct Rows {
-    /// Per state where its rows begin; one more entry ends the last.
-    start: Vec<u32>,
-    /// The events of the rows, ascending for each state, and where they lead.
-    events: Vec<u32>,
-    targets: Vec<u32>,
-}
-
-impl Rows {
-    fn of(controller: &Controller) -> Rows {
-        let mut start = vec![0; controller.states as usize + 1];
-        for (source, _) in controller.environment.iter().flatten() {
-            start[*source as usize + 1] += 1;
+/// Per set of events its place in a reflected Gray code whose leading digit is the smallest event: the first digit in which
+/// two sets differ decides, in turned order behind an odd number of ones.
+fn gray(kinds: &Kinds) -> Vec<u32> {
+    // The root is no child of itself. Children are in ascending order of their labels.
+    let (first, children) = bucket(&kinds.parent[1..], kinds.len() as u32);
+    let children = |kind: u32| {
+        let of_kind = first[kind as usize] as usize..first[kind as usize + 1] as usize;
+        children[of_kind].iter().map(|child| child + 1)
+    };
+    let mut places = vec![0; kinds.len()];
+    let mut place = 0;
+    // What is still to come, the next one last: with all sets that begin with it, or alone.
+    let mut open = vec![(0, true)];
+    while let Some((kind, all)) = open.pop() {
+        let even = kinds.labels[kind as usize].is_multiple_of(2);
+        if !all {
+            places[kind as usize] = place;
+            place += 1;
+        } else if even {
+            // What ends here has the digit 0 for every event to come; the larger the next event, the more zeros before it.
+            open.extend(children(kind).map(|child| (child, true)));
+            open.push((kind, false));
+        } else {
+            open.push((kind, false));
+            open.extend(children(kind).rev().map(|child| (child, true)));
         }
-        for state in 1..start.len() {
-            start[state] += start[state - 1];
-        }
-        let mut next = start.clone();
-        let mut events = vec![0; start.last().copied().unwrap_or(0) as usize];
-        let mut targets = events.clone();
-        for (event, rows) in (0..).zip(&controller.environment) {
-            for &(source, target) in rows {
-                let place = &mut next[source as usize];
-                events[*place as usize] = event;
-                targets[*place as usize] = target;
-                *place += 1;
-            }
-        }
-        Rows { start, events, targets }
     }
-
-    fn of_state(&self, state: u32) -> std::ops::Range<usize> {
-        self.start[state as usize] as usize..self.start[state as usize + 1] as usize
-    }
-
-    fn events_of(&self, state: u32) -> &[u32] {
-        &self.events[self.of_state(state)]
-    }
+    places
 }
 
-/// Per state with a super step what it tells components, ascending; what controllable objects tell each other is in no
-/// table.
-fn commands(controller: &Controller) -> Vec<Option<Vec<u32>>> {
+/// Per list of super steps the rank of what it tells components, as an ascending list, and the number of ranks; what
+/// controllable objects tell each other is in no table.
+fn by_commands(controller: &Controller) -> (Vec<u32>, u32) {
     let mut commanded = vec![false; controller.commands.len()];
     for &command in controller.components.iter().flat_map(|component| &component.commands) {
         commanded[command as usize] = true;
     }
-    let mut of_state = vec![None; controller.states as usize];
-    for step in &controller.super_steps {
-        let commands = step.events.iter().copied().filter(|&event| commanded[event as usize]);
-        let mut commands: Vec<u32> = commands.collect();
-        commands.sort_unstable();
-        of_state[step.source as usize] = Some(commands);
+    let lists = &controller.super_steps.events;
+    let mut told: Vec<(Vec<u32>, u32)> = (0..lists.distinct() as u32)
+        .map(|list| {
+            let events = lists.list(list).iter().copied();
+            let mut commands: Vec<u32> = events.filter(|&event| commanded[event as usize]).collect();
+            commands.sort_unstable();
+            (commands, list)
+        })
+        .collect();
+    told.sort_unstable();
+    let mut rank = vec![0; told.len()];
+    let mut ranks = 0;
+    for alike in told.chunk_by(|a, b| a.0 == b.0) {
+        alike.iter().for_each(|(_, list)| rank[*list as usize] = ranks);
+        ranks += 1;
     }
-    of_state
+    (rank, ranks)
 }
 
 /// Gives every state its new number; `order` is the inverse of `number`.
-fn renamed(mut controller: Controller, rows: &Rows, order: &[u32], number: &[u32]) -> Controller {
-    controller.initial = number[controller.initial as usize];
-    controller.environment.iter_mut().for_each(Vec::clear);
-    for (new, &old) in (0..).zip(order) {
-        let places = rows.of_state(old);
-        for (&event, &target) in rows.events[places.clone()].iter().zip(&rows.targets[places]) {
-            controller.environment[event as usize].push((new, number[target as usize]));
+fn renamed(mut controller: Controller, order: &[u32], number: &[u32]) -> Controller {
+    let new = |state: u32| number[state as usize];
+    controller.initial = new(controller.initial);
+    let mut sources = Ranks::new(order.len());
+    for rows in &mut controller.environment {
+        sources.set(rows.iter().map(|row| new(row.0)));
+        let mut sorted = vec![(0, 0); rows.len()];
+        for &(source, target) in &*rows {
+            sorted[sources.rank(new(source))] = (new(source), new(target));
+        }
+        *rows = sorted;
+    }
+    let steps = &mut controller.super_steps;
+    steps.source.iter_mut().chain(&mut steps.target).for_each(|state| *state = new(*state));
+    steps.sort();
+    controller.owed = controller.owed.reordered(order);
+    controller
+}
+
+/// A set of numbers in which each knows how many are smaller: sorts distinct numbers that are not spread too far.
+struct Ranks {
+    /// Bit by bit, which numbers are in the set.
+    words: Vec<u64>,
+    /// Per word how many there are before it.
+    before: Vec<u32>,
+}
+
+impl Ranks {
+    /// For sets of numbers below `limit`.
+    fn new(limit: usize) -> Ranks {
+        let words = limit.div_ceil(u64::BITS as usize);
+        Ranks { words: vec![0; words], before: vec![0; words] }
+    }
+
+    fn set(&mut self, members: impl Iterator<Item = u32>) {
+        self.words.fill(0);
+        members.for_each(|member| self.words[(member / u64::BITS) as usize] |= 1 << (member % u64::BITS));
+        let mut count = 0;
+        for (before, word) in self.before.iter_mut().zip(&self.words) {
+            *before = count;
+            count += word.count_ones();
         }
     }
-    for step in &mut controller.super_steps {
-        (step.source, step.target) = (number[step.source as usize], number[step.target as usize]);
+
+    fn rank(&self, member: u32) -> usize {
+        let word = (member / u64::BITS) as usize;
+        let smaller = self.words[word] & ((1 << (member % u64::BITS)) - 1);
+        (self.before[word] + smaller.count_ones()) as usize
     }
-    controller.super_steps.sort_unstable_by_key(|step| step.source);
-    controller.owed = order.iter().map(|&old| std::mem::take(&mut controller.owed[old as usize])).collect();
-    controller
 }
 
 #[cfg(test)]
@@ -165,15 +165,18 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// Every subset of four elements, in the order of the code.
+    /// Every subset of four events.
     #[test]
     fn neighbours_in_a_gray_code_differ_in_one_element() {
-        let mut sets: Vec<Vec<u32>> =
-            (0..16u32).map(|bits| (0..4).filter(|i| bits >> i & 1 == 1).collect()).collect();
-        sets.sort_by(|a, b| gray(a, b));
-        for pair in sets.windows(2) {
-            let differing = (0..4).filter(|i| pair[0].contains(i) != pair[1].contains(i)).count();
-            assert_eq!(differing, 1, "{pair:?}");
+        let accepts = |state: u32| {
+            ["a 0", "b 0", "c 0", "d 0"].into_iter().enumerate().filter(move |(i, _)| state >> i & 1 == 1)
+        };
+        let rows = |state| accepts(state).map(|(_, row)| row).collect::<Vec<_>>().join(", ");
+        let lines: Vec<String> = (0..16).map(|state| format!("{state}: {}", rows(state))).collect();
+        let order = order(&controller(&lines.join("\n")));
+        assert_eq!(order[..4], [0b0000, 0b1000, 0b1100, 0b0100]);
+        for pair in order.windows(2) {
+            assert_eq!((pair[0] ^ pair[1]).count_ones(), 1, "{pair:?}");
         }
     }
 

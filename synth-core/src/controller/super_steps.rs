@@ -1,6 +1,6 @@
 //! From a strategy to a controller: runs of system choices become super steps.
 
-use super::{Alphabet, Component, Controller, Event, SuperStep};
+use super::{Alphabet, Component, Controller, Event, Lists, SuperStep, SuperSteps};
 use crate::game::{Game, Strategy, YIELD};
 use std::{collections::BTreeMap, error::Error, fmt};
 
@@ -44,10 +44,14 @@ pub fn merge(
 ) -> Result<Controller, EndlessSuperStep> {
     let vocabulary = Vocabulary::new(game, alphabet);
     let mut walk = Walk::new(game, strategy);
-    let mut runs = Runs { commanded: vec![None; vocabulary.components.len()], vocabulary: &vocabulary };
+    let mut runs = Runs {
+        commanded: vec![None; vocabulary.components.len()],
+        events: Vec::new(),
+        vocabulary: &vocabulary,
+    };
     let mut environment = vec![Vec::new(); vocabulary.events.len()];
-    let mut super_steps = Vec::new();
-    let mut owed_per_state = Vec::new();
+    let mut super_steps = SuperSteps::default();
+    let mut owed_per_state = Lists::default();
     let mut promised = Vec::new();
     if let Some(node) = strategy.endless_run(game) {
         return Err(EndlessSuperStep { node });
@@ -56,8 +60,8 @@ pub fn merge(
     let mut source = 0;
     while let Some(&node) = walk.nodes.get(source as usize) {
         if walk.choice(node).is_some() {
-            let (events, end) = runs.follow(&walk, source, node);
-            super_steps.push(SuperStep { source, target: walk.visit(end), events });
+            let end = runs.follow(&walk, source, node);
+            super_steps.push(SuperStep { source, target: walk.visit(end), events: &runs.events });
         } else {
             for edge in strategy.edges_of(node) {
                 let event = vocabulary.index[game.label(strategy.edge[edge] as usize) as usize];
@@ -67,7 +71,8 @@ pub fn merge(
         }
         promised.clear();
         owed(strategy.state[node as usize], &mut promised);
-        owed_per_state.push(vocabulary.promised(alphabet, &promised));
+        vocabulary.promised(alphabet, &mut promised);
+        owed_per_state.push(&promised);
         source += 1;
     }
     Ok(Controller {
@@ -91,8 +96,8 @@ pub fn interface(game: &Game, alphabet: &Alphabet) -> Controller {
         states: 1,
         initial: 0,
         environment: vec![Vec::new(); events.len()],
-        super_steps: Vec::new(),
-        owed: vec![Vec::new()],
+        super_steps: SuperSteps::default(),
+        owed: Lists::empty(1),
         events,
         commands,
         components,
@@ -146,17 +151,15 @@ impl Vocabulary {
         Vocabulary { events, commands, components, index, component }
     }
 
-    /// The environment's events among `ids`, as ascending indices.
-    fn promised(&self, alphabet: &Alphabet, ids: &[u32]) -> Vec<u32> {
-        let mut events: Vec<u32> = ids
-            .iter()
-            .filter(|&&id| !alphabet.letters[id as usize].controllable)
-            .map(|&id| self.index[id as usize])
-            .filter(|&event| event != NONE)
-            .collect();
-        events.sort_unstable();
-        events.dedup();
-        events
+    /// Turns ids into the ascending indices of the environment's events among them.
+    fn promised(&self, alphabet: &Alphabet, ids: &mut Vec<u32>) {
+        ids.retain_mut(|id| {
+            let controllable = alphabet.letters[*id as usize].controllable;
+            *id = self.index[*id as usize];
+            !controllable && *id != NONE
+        });
+        ids.sort_unstable();
+        ids.dedup();
     }
 }
 
@@ -203,12 +206,14 @@ struct Runs<'a> {
     vocabulary: &'a Vocabulary,
     /// Per component: the last state whose super step commands it.
     commanded: Vec<Option<u32>>,
+    /// The events of the last super step that was followed.
+    events: Vec<u32>,
 }
 
 impl Runs<'_> {
-    /// The super step of state `source`, which begins in `node`, and the node in which it ends.
-    fn follow(&mut self, walk: &Walk<'_>, source: u32, mut node: u32) -> (Vec<u32>, u32) {
-        let mut events = Vec::new();
+    /// Follows the super step of state `source`, which begins in `node`, to the node in which it ends.
+    fn follow(&mut self, walk: &Walk<'_>, source: u32, mut node: u32) -> u32 {
+        self.events.clear();
         while let Some((label, next)) = walk.choice(node) {
             if label != YIELD {
                 let command = self.vocabulary.index[label as usize];
@@ -219,11 +224,11 @@ impl Runs<'_> {
                         break;
                     }
                 }
-                events.push(command);
+                self.events.push(command);
             }
             node = next;
         }
-        (events, node)
+        node
     }
 }
 
@@ -450,7 +455,7 @@ mod tests {
             }
         })
         .expect("super steps end");
-        assert_eq!(controller.owed, [vec![0, 2], vec![1], vec![]]);
+        assert_eq!(controller.owed, [vec![0, 2], vec![1], vec![]].iter().collect());
         assert_eq!(asked, [0, 2, 3]);
     }
 

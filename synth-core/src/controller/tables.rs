@@ -104,10 +104,7 @@ impl Tables {
             })
             .collect();
         let steps = &controller.super_steps;
-        let super_steps = Mapping {
-            source: steps.iter().map(|step| step.source).collect(),
-            target: steps.iter().map(|step| step.target).collect(),
-        };
+        let super_steps = Mapping { source: steps.source.clone(), target: steps.target.clone() };
         Tables {
             specification: specification.to_owned(),
             states: controller.states,
@@ -115,7 +112,7 @@ impl Tables {
             events,
             super_steps,
             components: component_tables(controller),
-            owed: controller.owed.clone(),
+            owed: controller.owed.iter().map(<[u32]>::to_vec).collect(),
             provenance,
         }
     }

@@ -224,9 +224,9 @@ pub fn synthesize(
         return monitored(explored.playout.spec(), options, &raw, timings);
     }
     let unminimized_states = raw.states;
-    let mut controller = timings.stage("minimise", || minimize(&raw, options.level));
     // Only scans with several events are compared later.
-    let raw = Some(raw).filter(|_| options.level == Level::Assume);
+    let kept = (options.level == Level::Assume).then(|| raw.clone());
+    let mut controller = timings.stage("minimise", || minimize(raw, options.level));
     timings.size(Size::of_controller(&controller));
     if options.level == Level::Assume {
         let refused = timings.stage("batches", || {
@@ -243,7 +243,7 @@ pub fn synthesize(
         || verify(explored.playout.spec(), options.semantics, &controller, MOST_NODES, limits.threads);
     let product_nodes = timings.stage("verify", verify)?;
     timings.size(Size::of_nodes(product_nodes));
-    if let Some(raw) = raw {
+    if let Some(raw) = kept {
         // The product has one event at a time. With several, both do the same; where one comes at a time, what the other one
         // does has just been verified.
         let agree = || batches::agree(&mut explored.playout, &raw, &controller, most_batches(options));
@@ -297,7 +297,7 @@ pub fn warnings(
         let alphabet = alphabet(&explored.playout);
         let merge = || merge(&explored.game, &strategy, &alphabet, &mut |_, _| ());
         if let Ok(controller) = timings.stage("super steps", merge) {
-            let controller = timings.stage("minimise", || minimize(&controller, Level::Exact));
+            let controller = timings.stage("minimise", || minimize(controller, Level::Exact));
             let of_control = || quality::of_controller(explored, &strategy, &controller, &warnings);
             let of_control = timings.stage("warnings of control", of_control);
             warnings.extend(of_control);

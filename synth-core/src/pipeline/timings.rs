@@ -129,10 +129,10 @@ impl Size {
         Size {
             states: *states as usize,
             edges: environment.iter().map(Vec::len).sum::<usize>() + super_steps.len(),
-            of_states: size_of_val(owed.as_slice()) + numbers(&mut owed.iter().map(Vec::capacity)),
+            of_states: owed.memory(),
             of_edges: 2 * numbers(&mut environment.iter().map(Vec::capacity))
-                + size_of_val(super_steps.as_slice())
-                + numbers(&mut super_steps.iter().map(|step| step.events.capacity())),
+                + numbers(&mut [&super_steps.source, &super_steps.target].into_iter().map(Vec::capacity))
+                + super_steps.events.memory(),
         }
     }
 }

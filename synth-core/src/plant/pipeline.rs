@@ -168,7 +168,7 @@ pub fn follow(
     let closed = feedback(plant, limits, timings)?;
     let controller = timings.stage("extract", || event_based::controller(plant, &closed));
     let level = if level == Level::None { level } else { Level::Exact };
-    let controller = timings.stage("minimise", || number(minimize(&controller, level)));
+    let controller = timings.stage("minimise", || number(minimize(controller, level)));
     let races = timings.stage("races", || event_based::races(plant, &closed));
     Ok(Followed { closed, controller, races })
 }

@@ -113,7 +113,7 @@ struct Controlled<'a> {
     controller: &'a Controller,
     /// Per state of the controller: events and where they lead, ascending.
     accepted: Vec<Vec<(u32, u32)>>,
-    due: Vec<Option<&'a SuperStep>>,
+    due: Vec<Option<SuperStep<'a>>>,
     /// Per event of the controller: its label in the game.
     label: Vec<Option<u32>>,
     /// Per command: the component that is told, or [`NONE`].
@@ -172,7 +172,7 @@ impl<'a> Controlled<'a> {
     fn settle(&self, mut place: Place, commands: &mut Vec<u32>) -> Place {
         // Super steps of a controller that can be made end.
         while let Some(step) = self.due[place.state as usize] {
-            commands.extend(&step.events);
+            commands.extend(step.events);
             place.state = step.target;
         }
         while self.turn(place.node).is_system()

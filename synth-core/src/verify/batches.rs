@@ -66,7 +66,7 @@ struct Machine<'c> {
     controller: &'c Controller,
     /// Per state and event the row's target, or [`NONE`].
     target: Vec<u32>,
-    due: Vec<Option<&'c SuperStep>>,
+    due: Vec<Option<SuperStep<'c>>>,
 }
 
 impl<'c> Machine<'c> {
@@ -264,7 +264,7 @@ impl<'a, 's> Batches<'a, 's> {
         };
         let mut config = self.real.get(node.real).clone();
         let mut after = Step::default();
-        for &command in &step.events {
+        for &command in step.events {
             // What play-out never met, no scenario waits for.
             let Some(event) = self.commands[command as usize] else { continue };
             self.playout.step(&config, event, &mut after);

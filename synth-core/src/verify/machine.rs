@@ -62,8 +62,9 @@ impl<'a> Machine<'a> {
     }
 
     /// The super step that is due in a state.
-    pub(super) fn due(&self, state: u32) -> Option<&'a SuperStep> {
-        self.controller.super_steps.get(self.due[state as usize] as usize)
+    pub(super) fn due(&self, state: u32) -> Option<SuperStep<'a>> {
+        let row = self.due[state as usize];
+        (row != NONE).then(|| self.controller.super_steps.row(row as usize))
     }
 
     fn rows_of(&self, state: u32) -> &[(u32, u32)] {

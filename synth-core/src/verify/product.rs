@@ -212,7 +212,7 @@ fn check_components(spec: &Spec, controller: &Controller) -> Result<(), VerifyEr
         let object = spec.domain.objects.iter().position(|object| object.name == name);
         object.is_some_and(|object| spec.controllable[object])
     };
-    for &command in controller.super_steps.iter().flat_map(|step| &step.events) {
+    for &command in controller.super_steps.iter().flat_map(|step| step.events) {
         let event = &controller.commands[command as usize];
         let component = controller.components.iter().find(|component| component.object == event.receiver);
         let has_code = component.is_some_and(|component| component.commands.contains(&command));

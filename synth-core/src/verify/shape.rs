@@ -33,7 +33,7 @@ pub(super) fn fault(controller: &Controller) -> Option<String> {
         .or_else(|| ascending(super_steps.iter().map(|step| step.source), "the table of super steps"))
         .or_else(|| components.iter().find_map(|component| wrong_component(component, commands)))
         .or_else(|| ascending_names(components))
-        .or_else(|| super_steps.iter().find_map(|step| wrong_step(step.source, &step.events, controller)))
+        .or_else(|| super_steps.iter().find_map(|step| wrong_step(step.source, step.events, controller)))
 }
 
 fn ascending_texts(events: &[Event]) -> Option<String> {
@@ -86,7 +86,7 @@ fn wrong_step(source: u32, events: &[u32], controller: &Controller) -> Option<St
 #[cfg(test)]
 mod tests {
     use super::fault;
-    use crate::controller::{Component, Controller, Event, SuperStep};
+    use crate::controller::{Component, Controller, Event, Lists, SuperStep};
 
     fn event(text: &str) -> Event {
         Event::from_text(text).expect("an event")
@@ -104,8 +104,8 @@ mod tests {
                 Component { object: "lamp".to_owned(), commands: vec![1, 2] },
             ],
             environment: vec![Vec::new(), vec![(0, 1)]],
-            super_steps: vec![SuperStep { source: 1, target: 0, events: vec![2, 0] }],
-            owed: vec![Vec::new(); 2],
+            super_steps: [SuperStep { source: 1, target: 0, events: &[2, 0] }].into_iter().collect(),
+            owed: Lists::empty(2),
         }
     }
 
@@ -128,16 +128,19 @@ mod tests {
         check(|c| drop(c.environment.pop()), "an event has no table");
         check(|c| c.events.swap(0, 1), "`a -> c.on()` does not stand in front of `a -> c.off()`");
         check(
-            |c| c.super_steps[0].target = 9,
+            |c| c.super_steps.target[0] = 9,
             "a state of a super step is 9, but the controller has 2 states",
         );
         check(
-            |c| c.super_steps.push(c.super_steps[0].clone()),
+            |c| c.super_steps.push(SuperStep { source: 1, target: 0, events: &[2, 0] }),
             "the table of super steps has state 1 behind state 1",
         );
-        check(|c| c.super_steps[0].events.clear(), "the super step in state 1 is empty");
-        check(|c| c.super_steps[0].events = vec![1, 2], "the super step in state 1 commands `lamp` twice");
-        check(|c| c.super_steps[0].events[0] = 7, "the super step in state 1 sends what does not exist");
+        check(|c| c.super_steps.events.set(0, &[]), "the super step in state 1 is empty");
+        check(|c| c.super_steps.events.set(0, &[1, 2]), "the super step in state 1 commands `lamp` twice");
+        check(
+            |c| c.super_steps.events.set(0, &[7, 0]),
+            "the super step in state 1 sends what does not exist",
+        );
         check(|c| c.components[0].commands[0] = 2, "`c -> lamp.light()` is no command of its own to `bell`");
         check(|c| c.components[1].commands[1] = 1, "`c -> lamp.dim()` is no command of its own to `lamp`");
         check(|c| c.components.swap(0, 1), "component `lamp` does not stand in front of `bell`");

@@ -4,7 +4,7 @@ use super::explore::{Edge, Graph, Node, Owner};
 use super::solve::solve;
 use super::turn::Case;
 use std::collections::BTreeMap;
-use synth_core::controller::{Controller, SuperStep};
+use synth_core::controller::Controller;
 
 /// Where the product stands: a node of the game, a state of the controller, the position in its super step.
 type Place = (usize, u32, usize);
@@ -46,7 +46,7 @@ fn choices<'g>(
 ) -> Option<Vec<(&'g Edge, u32, usize)>> {
     let Node { owner, .. } = &graph.nodes[node];
     let edges: Vec<&Edge> = graph.edges.iter().filter(|edge| edge.from == node).collect();
-    let due: Option<&SuperStep> = controller.super_steps.iter().find(|step| step.source == state);
+    let due = controller.super_steps.iter().find(|step| step.source == state);
     let Owner::Turn(case) = owner else { return Some(Vec::new()) };
     match due {
         Some(step) => {

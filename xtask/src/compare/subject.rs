@@ -2,7 +2,7 @@
 
 use super::line::{Happening, Line, MOST, ORDERS, REPORTS, Shape};
 use std::collections::BTreeMap;
-use synth_core::controller::{Component, Controller, Event, SuperStep, number};
+use synth_core::controller::{Component, Controller, Event, Lists, SuperStep, SuperSteps, number};
 
 /// Where an event leads from a state.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -119,18 +119,15 @@ impl Subject {
             environment[row.event as usize].push((waiting[row.source as usize], leads_to));
         }
         environment.iter_mut().for_each(|rows| rows.sort_unstable());
-        let mut super_steps: Vec<SuperStep> = self
-            .steps
-            .iter()
-            .zip(&stepping)
-            .map(|(step, &source)| {
-                let codes = (0..).zip(&step.codes).filter(|(_, code)| **code != 0);
-                let events =
-                    codes.map(|(component, &code)| component * ORDERS.len() as u32 + u32::from(code) - 1);
-                SuperStep { source, target: waiting[step.target as usize], events: events.collect() }
-            })
-            .collect();
-        super_steps.sort_unstable_by_key(|step| step.source);
+        let mut super_steps = SuperSteps::default();
+        for (step, &source) in self.steps.iter().zip(&stepping) {
+            let codes = (0..).zip(&step.codes).filter(|(_, code)| **code != 0);
+            let events =
+                codes.map(|(component, &code)| component * ORDERS.len() as u32 + u32::from(code) - 1);
+            let events: Vec<u32> = events.collect();
+            super_steps.push(SuperStep { source, target: waiting[step.target as usize], events: &events });
+        }
+        super_steps.sort();
         let states = self.states + self.steps.len() as u32;
         let orders = |station: &String| ORDERS.map(|order| event("controller", station, order));
         Controller {
@@ -148,7 +145,7 @@ impl Subject {
                 .collect(),
             environment,
             super_steps,
-            owed: vec![Vec::new(); states as usize],
+            owed: Lists::empty(states as usize),
         }
     }
 
@@ -268,7 +265,7 @@ mod tests {
             let row = &rows[number % rows.len()];
             let column = &controller.environment[row.event as usize];
             let found = column.iter().find(|(source, _)| *source == other).expect("a row").1;
-            let step = controller.super_steps.iter().find(|step| step.source == found);
+            let step = controller.super_steps.due(found);
             assert_eq!(step.is_some(), row.step.is_some());
             other = step.map_or(found, |step| step.target);
             let commands = step.map_or(0, |step| step.events.len());

@@ -1,6 +1,6 @@
 //! A controller as an incompletely specified Mealy machine, and back.
 
-use crate::controller::{Controller, SuperStep};
+use crate::controller::{Controller, Lists, SuperStep, SuperSteps};
 use hashbrown::HashMap;
 use rustc_hash::FxBuildHasher;
 
@@ -48,8 +48,8 @@ struct Chains<'a> {
     controller: &'a Controller,
     /// Per state its super step.
     due: Vec<u32>,
-    /// Lists of commands by number: equal lists have the number of the first super step that has them.
-    alike: Vec<u32>,
+    /// Per list of commands the first super step that has it.
+    first: Vec<u32>,
     answers: Vec<Vec<u32>>,
     numbers: HashMap<Vec<u32>, u32, FxBuildHasher>,
 }
@@ -57,13 +57,13 @@ struct Chains<'a> {
 impl<'a> Chains<'a> {
     fn new(controller: &'a Controller) -> Self {
         let mut due = vec![NOWHERE; controller.states as usize];
-        let mut alike = Vec::with_capacity(controller.super_steps.len());
-        let mut lists: HashMap<&[u32], u32, FxBuildHasher> = HashMap::default();
+        let mut first = vec![NOWHERE; controller.super_steps.events.distinct()];
         for (row, step) in (0..).zip(&controller.super_steps) {
             due[step.source as usize] = row;
-            alike.push(*lists.entry(&step.events).or_insert(row));
+            let first = &mut first[controller.super_steps.events.number(row as usize) as usize];
+            *first = row.min(*first);
         }
-        Chains { controller, due, alike, answers: vec![Vec::new()], numbers: HashMap::default() }
+        Chains { controller, due, first, answers: vec![Vec::new()], numbers: HashMap::default() }
     }
 
     /// The answer that begins in a state, and the state in which it ends; `None` if it never does.
@@ -74,8 +74,9 @@ impl<'a> Chains<'a> {
             if answer.len() > self.controller.super_steps.len() {
                 return None;
             }
-            answer.push(self.alike[row]);
-            state = self.controller.super_steps[row].target;
+            let steps = &self.controller.super_steps;
+            answer.push(self.first[steps.events.number(row) as usize]);
+            state = steps.target[row];
         }
         let fresh = self.answers.len() as u32;
         let number = *self.numbers.entry(answer).or_insert_with_key(|answer| {
@@ -262,16 +263,16 @@ impl Mealy {
     pub(crate) fn controller(&self, source: &Controller) -> Controller {
         let mut states = States { mealy: self, numbers: HashMap::default(), order: Vec::new() };
         let mut environment = vec![Vec::new(); source.events.len()];
-        let mut super_steps = Vec::new();
-        let mut owed = Vec::new();
+        let mut super_steps = SuperSteps::default();
+        let mut owed = Lists::default();
         states.visit(&self.answers[self.initial_answer as usize], self.initial);
         let mut number = 0;
         while let Some(&(answer, state)) = states.order.get(number as usize) {
             if let [step, rest @ ..] = answer {
                 let target = states.visit(rest, state);
-                let events = source.super_steps[*step as usize].events.clone();
+                let events = &source.super_steps.events[*step as usize];
                 super_steps.push(SuperStep { source: number, target, events });
-                owed.push(Vec::new());
+                owed.push(&[]);
             } else {
                 for row in self.rows_of(state).iter().filter(|row| row.next != NOWHERE) {
                     let target = states.visit(&self.answers[row.answer as usize], row.next);
@@ -282,7 +283,7 @@ impl Mealy {
                     origins.iter().flat_map(|&origin| source.owed[origin as usize].iter().copied()).collect();
                 events.sort_unstable();
                 events.dedup();
-                owed.push(events);
+                owed.push(&events);
             }
             number += 1;
         }

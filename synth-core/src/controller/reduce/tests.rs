@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 
 #[track_caller]
 fn check(input: &str, expected: &str) {
-    assert_eq!(show(&minimize(&controller(input), Level::Ordered)), trim(expected));
+    assert_eq!(show(&minimize(controller(input), Level::Ordered)), trim(expected));
 }
 
 #[test]
@@ -55,8 +55,8 @@ fn what_must_be_refused_is_a_difference() {
 #[test]
 fn a_merged_state_owes_what_all_owe() {
     let mut input = controller("0: a 1 \n 1: b 0");
-    input.owed = vec![vec![0], vec![1]];
-    assert_eq!(minimize(&input, Level::Ordered).owed, [vec![0, 1]]);
+    input.owed = [[0], [1]].iter().collect();
+    assert_eq!(minimize(input, Level::Ordered).owed, [[0, 1]].iter().collect());
 }
 
 #[test]
@@ -95,7 +95,7 @@ proptest! {
         refused in prop::collection::vec(any::<u8>(), 24),
         choices in prop::collection::vec(any::<u8>(), 40),
     ) {
-        let exact = minimize(&input, Level::Exact);
+        let exact = minimize(input.clone(), Level::Exact);
         let has_row = |state: u32, event: &u32| exact.environment[*event as usize].iter().any(|row| row.0 == state);
         let events = exact.events.len() as u32;
         let refused: Vec<Vec<u32>> = (0..exact.states)

@@ -18,7 +18,9 @@ pub use races::{Race, Races, races};
 
 use super::{ClosedLoop, EventId, Plant};
 use crate::controller::tables::{Provenance, Requirement, Tables};
-use crate::controller::{Component, Controller, Event, Level, SuperStep, minimize, number};
+use crate::controller::{
+    Component, Controller, Event, Level, Lists, SuperStep, SuperSteps, minimize, number,
+};
 use crate::syntax::Span;
 use std::collections::BTreeMap;
 
@@ -40,14 +42,12 @@ pub fn controller(plant: &Plant, closed: &ClosedLoop) -> Controller {
                 controller.environment[index(event) as usize].push((source, target));
             }
         }
-        controller.super_steps.extend(chosen.map(|(event, target)| SuperStep {
-            source,
-            target,
-            events: vec![index(event)],
-        }));
+        if let Some((event, target)) = chosen {
+            controller.super_steps.push(SuperStep { source, target, events: &[index(event)] });
+        }
     }
     let (states, initial) = (closed.len() as u32, closed.initial);
-    Controller { states, initial, owed: vec![Vec::new(); closed.len()], ..controller }
+    Controller { states, initial, owed: Lists::empty(closed.len()), ..controller }
 }
 
 /// The events, commands and components of [`controller`] in one that does nothing: what names are made of, whether there is
@@ -78,7 +78,7 @@ pub fn provenance(plant: &Plant, provenance: Provenance) -> Provenance {
 /// The tables of [`controller`], minimised as `level` says and numbered.
 #[must_use]
 pub fn tables(plant: &Plant, closed: &ClosedLoop, level: Level, provenance: Provenance) -> Tables {
-    let controller = number(minimize(&controller(plant, closed), level));
+    let controller = number(minimize(controller(plant, closed), level));
     Tables::new(&plant.name, &controller, provenance)
 }
 
@@ -121,8 +121,8 @@ impl Vocabulary {
             states: 1,
             initial: 0,
             environment: vec![Vec::new(); self.events.len()],
-            super_steps: Vec::new(),
-            owed: vec![Vec::new()],
+            super_steps: SuperSteps::default(),
+            owed: Lists::empty(1),
             events: self.events.clone(),
             commands: self.commands.clone(),
             components,
