@@ -9,10 +9,18 @@ use synth_core::emit::template;
 
 /// Writes a product to `path`, or to stdout if there is none or it is `-`.
 pub(crate) fn product(path: Option<&Path>, text: &str) -> Result<(), Failure> {
+    product_by(path, |out| out.write_all(text.as_bytes()))
+}
+
+/// The same with a product that `write` writes piece by piece.
+pub(crate) fn product_by(
+    path: Option<&Path>,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), Failure> {
     match path.filter(|path| path.as_os_str() != "-") {
-        None => print(text),
+        None => stream(write),
         Some(path) => {
-            replace(path, text).map_err(|error| Failure::unwritable(&path.display().to_string(), &error))
+            replace(path, write).map_err(|error| Failure::unwritable(&path.display().to_string(), &error))
         }
     }
 }
@@ -73,12 +81,12 @@ pub(crate) fn note(line: &str) {
 }
 
 /// Replaces the content of a file, or creates it.
-fn replace(path: &Path, text: &str) -> io::Result<()> {
+fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let existing = match fs::metadata(path) {
         Ok(metadata) if metadata.is_dir() => return Err(io::Error::other("it is a directory")),
         // A device or a pipe cannot be replaced, and nothing in it can be lost.
         Ok(metadata) if !metadata.is_file() => {
-            return OpenOptions::new().write(true).open(path)?.write_all(text.as_bytes());
+            return write(&mut OpenOptions::new().write(true).open(path)?);
         }
         Ok(metadata) => Some(metadata),
         Err(error) if error.kind() == ErrorKind::NotFound => None,
@@ -87,8 +95,7 @@ fn replace(path: &Path, text: &str) -> io::Result<()> {
     // A link stays a link: what it points at is replaced.
     let target = if existing.is_some() { fs::canonicalize(path)? } else { path.to_owned() };
     let (mut file, temporary) = temporary_beside(&target)?;
-    let result = file
-        .write_all(text.as_bytes())
+    let result = write(&mut file)
         .and_then(|()| existing.map_or(Ok(()), |metadata| file.set_permissions(metadata.permissions())))
         .and_then(|()| fs::rename(&temporary, &target));
     if result.is_err() {

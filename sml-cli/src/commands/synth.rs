@@ -6,7 +6,7 @@ use crate::output;
 use crate::session::Session;
 use crate::warnings::{self, Warnings};
 use std::path::PathBuf;
-use synth_core::controller::json::to_json_at;
+use synth_core::controller::json::write_json_at;
 use synth_core::diagnostic::counted;
 use synth_core::verdict::Verdict;
 
@@ -42,7 +42,8 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let warnings = session.warnings_beside(&loaded, &mut solved, &policy)?;
     warnings::show(warnings, &policy, &loaded.sources, session)?;
     let controller = &verified.controller;
-    output::product(arguments.output.as_deref(), &to_json_at(controller, level))?;
+    let output = arguments.output.as_deref();
+    session.stage("write", || output::product_by(output, |out| write_json_at(controller, level, out)))?;
     let rows: usize = controller.environment.iter().map(Vec::len).sum();
     output::note(&format!(
         "{}: {}, {} before minimisation; {} for events, {}; verified with {}",

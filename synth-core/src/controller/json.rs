@@ -15,8 +15,10 @@
 use super::{Component, Controller, Event, Level, Lists, SuperStep, SuperSteps};
 use crate::diagnostic::counted;
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
+use serde::ser::{Serialize, Serializer};
 use std::collections::BTreeMap;
 use std::fmt;
+use std::io::{self, Write as _};
 use std::marker::PhantomData;
 
 /// The version of the format. To be raised when an old reader would misunderstand a new file; a new field that it may
@@ -46,27 +48,37 @@ pub fn monitor_to_json(monitor: &Controller) -> String {
 }
 
 fn text(controller: &Controller, level: Level, monitor: bool) -> String {
+    let mut bytes = Vec::new();
+    write(controller, level, monitor, &mut bytes).expect("memory takes everything");
+    String::from_utf8(bytes).expect("JSON is text")
+}
+
+/// Writes what [`to_json_at`] returns, piece by piece.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_json_at(controller: &Controller, level: Level, out: &mut dyn io::Write) -> io::Result<()> {
+    let mut out = io::BufWriter::with_capacity(1 << 16, out);
+    write(controller, level, false, &mut out)?;
+    out.flush()
+}
+
+fn write(controller: &Controller, level: Level, monitor: bool, out: &mut impl io::Write) -> io::Result<()> {
     #[derive(serde::Serialize)]
     struct Document<'a> {
         version: u32,
         states: u32,
         initial: u32,
         environment: BTreeMap<&'a str, &'a [(u32, u32)]>,
-        supersteps: Vec<(u32, u32, Vec<&'a str>)>,
+        supersteps: Steps<'a>,
         components: BTreeMap<&'a str, BTreeMap<&'a str, u32>>,
-        owed: BTreeMap<&'a str, Vec<u32>>,
+        owed: BTreeMap<&'a str, States<'a>>,
         #[serde(skip_serializing_if = "Option::is_none")]
         minimize: Option<&'static str>,
         #[serde(skip_serializing_if = "std::ops::Not::not")]
         monitor: bool,
     }
     let command = |&index: &u32| controller.commands[index as usize].text.as_str();
-    let mut owed: BTreeMap<&str, Vec<u32>> = BTreeMap::new();
-    for (state, events) in (0..).zip(controller.owed.iter()) {
-        for &event in events {
-            owed.entry(&controller.events[event as usize].text).or_default().push(state);
-        }
-    }
     let document = Document {
         version: VERSION,
         states: controller.states,
@@ -77,11 +89,7 @@ fn text(controller: &Controller, level: Level, monitor: bool) -> String {
             .zip(&controller.environment)
             .map(|(event, rows)| (event.text.as_str(), rows.as_slice()))
             .collect(),
-        supersteps: controller
-            .super_steps
-            .iter()
-            .map(|step| (step.source, step.target, step.events.iter().map(command).collect()))
-            .collect(),
+        supersteps: Steps(controller),
         components: controller
             .components
             .iter()
@@ -89,13 +97,59 @@ fn text(controller: &Controller, level: Level, monitor: bool) -> String {
                 (component.object.as_str(), component.commands.iter().map(command).zip(1..).collect())
             })
             .collect(),
-        owed,
+        owed: owed(controller),
         minimize: matches!(level, Level::Assume | Level::Ordered).then(|| level.name()),
         monitor,
     };
-    let mut text = serde_json::to_string(&document).expect("strings and numbers always serialize");
-    text.push('\n');
-    text
+    serde_json::to_writer(&mut *out, &document)?;
+    out.write_all(b"\n")
+}
+
+/// The super steps of a controller, with the texts of their events.
+struct Steps<'a>(&'a Controller);
+
+impl Serialize for Steps<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Controller { super_steps, commands, .. } = self.0;
+        let texts = |list: u32| {
+            let events = super_steps.events.list(list).iter();
+            events.map(|&event| commands[event as usize].text.as_str()).collect::<Vec<_>>()
+        };
+        let lists: Vec<Vec<&str>> = (0..super_steps.events.distinct() as u32).map(texts).collect();
+        let rows = super_steps.source.iter().zip(&super_steps.target).zip(super_steps.events.numbers());
+        serializer.collect_seq(rows.map(|((source, target), &list)| (source, target, &lists[list as usize])))
+    }
+}
+
+/// The states in which an event is owed.
+struct States<'a> {
+    owed: &'a Lists,
+    /// Per list whether it has the event.
+    has: Vec<bool>,
+}
+
+impl Serialize for States<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let states = (0..).zip(self.owed.numbers()).filter(|(_, list)| self.has[**list as usize]);
+        serializer.collect_seq(states.map(|(state, _): (u32, _)| state))
+    }
+}
+
+/// The events that are owed anywhere.
+fn owed(controller: &Controller) -> BTreeMap<&str, States<'_>> {
+    let lists = &controller.owed;
+    let mut used = vec![false; lists.distinct()];
+    lists.numbers().iter().for_each(|&list| used[list as usize] = true);
+    let mut owed = BTreeMap::new();
+    for list in (0..lists.distinct() as u32).filter(|&list| used[list as usize]) {
+        for &event in lists.list(list) {
+            let states: &mut States<'_> = owed
+                .entry(controller.events[event as usize].text.as_str())
+                .or_insert_with(|| States { owed: lists, has: vec![false; lists.distinct()] });
+            states.has[list as usize] = true;
+        }
+    }
+    owed
 }
 
 /// How a controller that [`from_json`] reads was minimised, as far as its file says: [`Level::Assume`], [`Level::Ordered`], or otherwise
@@ -386,7 +440,7 @@ fn read_super_steps(
     Ok(super_steps)
 }
 
-fn read_owed(mut entries: Entries<Vec<u32>>, states: u32, events: &[Event]) -> Result<Vec<Vec<u32>>, String> {
+fn read_owed(mut entries: Entries<Vec<u32>>, states: u32, events: &[Event]) -> Result<Lists, String> {
     sort_entries("owed", &mut entries.0)?;
     let mut owed = vec![Vec::new(); states as usize];
     for (text, mut list) in entries.0 {
@@ -401,7 +455,7 @@ fn read_owed(mut entries: Entries<Vec<u32>>, states: u32, events: &[Event]) -> R
             events.push(event);
         }
     }
-    Ok(owed)
+    Ok(owed.into_iter().collect())
 }
 
 #[cfg(test)]

@@ -30,7 +30,7 @@ impl Error for EndlessSuperStep {}
 /// order.
 ///
 /// Events, components and codes come from the whole of `game`, so they do not depend on the strategy. `owed` puts into an empty
-/// list which events (ids of `alphabet`) assumptions promise in a state of the game; what is no environment event of the
+/// list which events (ids of `alphabet`) assumptions promise in a state of the game, and is asked once about each; what is no environment event of the
 /// game is passed over.
 ///
 /// # Errors
@@ -53,6 +53,8 @@ pub fn merge(
     let mut super_steps = SuperSteps::default();
     let mut owed_per_state = Lists::default();
     let mut promised = Vec::new();
+    // Per state of the game the number of the list that it owes, or `NONE`.
+    let mut promises = vec![NONE; game.states()];
     if let Some(node) = strategy.endless_run(game) {
         return Err(EndlessSuperStep { node });
     }
@@ -69,10 +71,18 @@ pub fn merge(
                 environment[event as usize].push((source, target));
             }
         }
-        promised.clear();
-        owed(strategy.state[node as usize], &mut promised);
-        vocabulary.promised(alphabet, &mut promised);
-        owed_per_state.push(&promised);
+        // Nodes of the same state of the game are different memories.
+        let state = strategy.state[node as usize];
+        let known = &mut promises[state as usize];
+        if *known == NONE {
+            promised.clear();
+            owed(state, &mut promised);
+            vocabulary.promised(alphabet, &mut promised);
+            owed_per_state.push(&promised);
+            *known = owed_per_state.number(source as usize);
+        } else {
+            owed_per_state.push_number(*known);
+        }
         source += 1;
     }
     Ok(Controller {
@@ -169,7 +179,7 @@ struct Walk<'a> {
     strategy: &'a Strategy,
     /// Per state: its node.
     nodes: Vec<u32>,
-    /// Per node: its state, or [`NONE`].
+    /// Per node: its state, or that behind its yield; [`NONE`] if it was not met.
     state: Vec<u32>,
 }
 
@@ -188,16 +198,23 @@ impl<'a> Walk<'a> {
     }
 
     /// The state for a node that is entered; yields are skipped (one yield leads to the environment's turn).
-    fn visit(&mut self, mut node: u32) -> u32 {
+    fn visit(&mut self, entered: u32) -> u32 {
+        let known = self.state[entered as usize];
+        if known != NONE {
+            return known;
+        }
+        let mut node = entered;
         while let Some((YIELD, next)) = self.choice(node) {
             node = next;
         }
-        let state = &mut self.state[node as usize];
-        if *state == NONE {
-            *state = self.nodes.len() as u32;
+        let mut state = self.state[node as usize];
+        if state == NONE {
+            state = self.nodes.len() as u32;
             self.nodes.push(node);
+            self.state[node as usize] = state;
         }
-        *state
+        self.state[entered as usize] = state;
+        state
     }
 }
 
