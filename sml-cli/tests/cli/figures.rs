@@ -69,7 +69,7 @@ fn imports_of_stdin_are_relative_to_the_working_directory() {
 #[test]
 fn timings_name_the_stages() {
     let run = sml("synth memory/spec.sml --timings");
-    for stage in ["parse", "explore", "solve", "minimise", "verify", "total"] {
+    for stage in ["parse", "explore", "solve", "minimise", "verify", "write", "total"] {
         assert!(run.stderr.lines().any(|line| line.starts_with(stage)), "{stage}: {}", run.stderr);
     }
     let last = run.stderr.lines().last().unwrap_or_default();

@@ -476,8 +476,8 @@ mod tests {
     fn example() -> Controller {
         let mut controller =
             controller("0: a 1, b 3 \n 1! log.x arm.stop 2 \n 2: a 1 \n 3! arm.go press.go 0");
-        controller.owed[0] = vec![0];
-        controller.owed[2] = vec![0];
+        controller.owed.set(0, &[0]);
+        controller.owed.set(2, &[0]);
         controller
     }
 
@@ -550,7 +550,7 @@ mod tests {
     #[test]
     fn owed_may_be_absent() {
         let text = EXAMPLE.replace(r#","owed":{"env -> ctl.a()":[0,2]}"#, "");
-        assert_eq!(from_json(&text).expect("a controller").owed, vec![Vec::<u32>::new(); 4]);
+        assert_eq!(from_json(&text).expect("a controller").owed, Lists::empty(4));
     }
 
     #[test]

@@ -30,8 +30,8 @@ impl Error for EndlessSuperStep {}
 /// order.
 ///
 /// Events, components and codes come from the whole of `game`, so they do not depend on the strategy. `owed` puts into an empty
-/// list which events (ids of `alphabet`) assumptions promise in a state of the game, and is asked once about each; what is no environment event of the
-/// game is passed over.
+/// list which events (ids of `alphabet`) assumptions promise in a state of the game, and is asked once about each; what is
+/// no environment event of the game is passed over.
 ///
 /// # Errors
 ///

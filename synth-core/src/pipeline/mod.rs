@@ -14,20 +14,21 @@ pub use timings::{Size, Stage, Timings};
 
 use crate::controller::tables::Tables;
 use crate::controller::{
-    Controller, EndlessSuperStep, Level, merge, minimize, minimize_assuming, monitor, number,
+    Controller, EndlessSuperStep, Level, Lists, merge, minimize, minimize_assuming, monitor, number,
 };
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::explain::explain;
 use crate::explore::{Explored, Limits, explore};
 use crate::game::{Game, Solution, Strategy, extract, solve_ending, solve_on};
 use crate::model::{Spec, resolve::resolve};
-use crate::parallel::threads_for;
+use crate::parallel::{share, threads_for};
 use crate::playout::Semantics;
 use crate::quality;
-use crate::successors::PackedMoves;
+use crate::successors::{PackedMoves, StateStore};
 use crate::syntax::Loaded;
 use crate::verdict::{self, Verdict, WinningPart};
 use crate::verify::{batches, verify};
+use std::ops::Range;
 use std::rc::Rc;
 
 /// Nodes of a product have `u32` ids.
@@ -216,7 +217,7 @@ pub fn synthesize(
     }
     let strategy = solved.strategy(timings)?;
     let explored = &mut solved.explored;
-    let raw = timings.stage("super steps", || merged(explored, &strategy));
+    let raw = timings.stage("super steps", || merged(explored, &strategy, options.limits.threads));
     let raw =
         raw.map_err(|endless| Failure::Wrong(vec![endless::diagnostic(explored, &strategy, endless)]))?;
     timings.size(Size::of_controller(&raw));
@@ -325,16 +326,67 @@ fn winning_strategy(game: &Game, solution: &Solution) -> Result<Strategy, Failur
     Ok(strategy)
 }
 
-fn merged(explored: &mut Explored<'_>, strategy: &Strategy) -> Result<Controller, EndlessSuperStep> {
+fn merged(
+    explored: &mut Explored<'_>,
+    strategy: &Strategy,
+    threads: usize,
+) -> Result<Controller, EndlessSuperStep> {
     let alphabet = alphabet(&explored.playout);
+    let promises = Promises::new(&explored.store, strategy, threads);
     let Explored { playout, store, game } = explored;
     let mut room = PackedMoves::default();
-    merge(game, strategy, &alphabet, &mut |state, owed| {
+    merge(game, strategy, &alphabet, &mut |state, owed| match promises.of(state) {
+        Some(known) => owed.extend_from_slice(known),
         // The losing and the won state owe nothing.
-        if (state as usize) < store.len() {
-            store.owed(playout, state, &mut room, owed);
-        }
+        None if state as usize >= store.len() => {}
+        None => store.owed(playout, state, &mut room, owed),
     })
+}
+
+/// What states owe, as far as that takes no play-out; found on several threads.
+struct Promises {
+    /// Consecutive parts of the states.
+    parts: Vec<PromisesOfPart>,
+}
+
+#[derive(Default)]
+struct PromisesOfPart {
+    states: Range<u32>,
+    /// Per state; empty where nobody asks or it is not known.
+    owed: Lists,
+    /// The states of which it is not known, ascending.
+    unknown: Vec<u32>,
+}
+
+impl Promises {
+    /// Of the states that a strategy comes to.
+    fn new(store: &StateStore, strategy: &Strategy, threads: usize) -> Promises {
+        const LEAST: usize = 4096;
+        let mut asked = vec![false; store.len()];
+        for &state in strategy.state.iter().filter(|&&state| (state as usize) < store.len()) {
+            asked[state as usize] = true;
+        }
+        let mut parts = Vec::new();
+        share(&mut parts, 0..store.len() as u32, LEAST, threads, |part: &mut PromisesOfPart, states| {
+            part.states = states.clone();
+            let (mut room, mut owed) = (PackedMoves::default(), Vec::new());
+            for state in states {
+                owed.clear();
+                if asked[state as usize] && store.known_owed(state, &mut room, &mut owed).is_err() {
+                    owed.clear();
+                    part.unknown.push(state);
+                }
+                part.owed.push(&owed);
+            }
+        });
+        Promises { parts }
+    }
+
+    fn of(&self, state: u32) -> Option<&[u32]> {
+        let part = self.parts.iter().find(|part| part.states.contains(&state))?;
+        let known = part.unknown.binary_search(&state).is_err();
+        known.then(|| &part.owed[(state - part.states.start) as usize])
+    }
 }
 
 /// Verifies any controller; its product with the specification may have as many nodes as `options` allow states.

@@ -1,5 +1,6 @@
 //! The states found so far, packed to bits, with the function that finds their successors.
 
+use super::moves::Miss;
 use super::{Learned, PackedMoves, PackedRows, SetId, Successors, UNKNOWN_SET, hash_row, learn};
 use crate::model::Value;
 use crate::playout::{Config, CopyId, EventId, KeyId, PlayError, Playout};
@@ -107,11 +108,24 @@ impl StateStore {
         room: &mut PackedMoves,
         owed: &mut Vec<EventId>,
     ) {
-        if self.successors.owed(self.rows.get(state, &mut Vec::new()), room, owed).is_err() {
+        if self.known_owed(state, room, owed).is_err() {
             let mut config = Config::default();
             self.load(playout, state, &mut config);
             *owed = playout.owed(&config);
         }
+    }
+
+    /// The same without a play-out.
+    ///
+    /// # Errors
+    /// What it follows from is not known.
+    pub(crate) fn known_owed(
+        &self,
+        state: StateId,
+        room: &mut PackedMoves,
+        owed: &mut Vec<EventId>,
+    ) -> Result<(), Miss> {
+        self.successors.owed(self.rows.get(state, &mut Vec::new()), room, owed)
     }
 
     /// How many sets of fairness keys were met so far; ids are below it.

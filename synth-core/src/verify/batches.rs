@@ -308,7 +308,7 @@ impl<'a, 's> Batches<'a, 's> {
                 Cause::Consumed => play.push("(the controller reads its inputs)".to_owned()),
                 Cause::Acted => {
                     let step = self.machine.due[self.nodes.get(parent).state as usize];
-                    let events = step.map_or(&[][..], |step| &step.events);
+                    let events = step.map_or(&[][..], |step| step.events);
                     let commands = &self.machine.controller.commands;
                     play.extend(events.iter().rev().map(|&command| commands[command as usize].text.clone()));
                 }
