@@ -4,10 +4,10 @@
 //! of; then a state's *signature*, the blocks to which its rows lead. Where a block falls apart, its largest part
 //! keeps the number, so that only the predecessors of the others have new signatures: a state comes into a part with
 //! another number at most `log n` times. (Jacobs and Wissmann, "Fast coalgebraic bisimilarity minimization", POPL 2023,
-//! section 3, for automata whose states have rows.)
+//! for automata whose states have rows.)
 //!
-//! Of the known algorithms this is the one that needs least memory, one number a row in either direction; and where nothing
-//! or little is left to be merged after some steps, it comes to an end in few passes over the rows.
+//! Beside numbers per state it holds one a row in either direction; and where nothing or little is left to be merged after
+//! some steps, it comes to an end in few passes over the rows.
 
 use super::Controller;
 use super::kinds::Kinds;
