@@ -1,6 +1,7 @@
 //! What can be asked on the command line: the subcommands and the options that all of them share.
 
 use crate::commands::Command;
+use crate::memory;
 use clap::{Args, Parser, ValueEnum};
 use std::num::NonZeroUsize;
 use synth_core::controller::Level;
@@ -33,8 +34,8 @@ pub(crate) struct Common {
     /// Give up when there are more states than this
     #[arg(long, global = true, value_name = "N")]
     max_states: Option<usize>,
-    /// Give up when states and transitions need more bytes than this; K, M and G may follow the number. Without it, three
-    /// quarters of the memory that is free at the start, where the system says how much that is
+    /// Give up when more bytes than this are needed; K, M and G may follow the number. Without it, three quarters of the memory
+    /// that is free at the start, where the system says how much that is
     #[arg(long, global = true, value_name = "BYTES", value_parser = bytes)]
     max_memory: Option<usize>,
     /// Number of threads that explore and verify; by default as many as the machine runs at once. No result depends on it
@@ -65,12 +66,9 @@ impl Common {
     }
 }
 
-/// Three quarters of the free memory, as Linux tells it.
+/// Three quarters of the free memory.
 fn most_of_free_memory() -> Option<usize> {
-    let text = std::fs::read_to_string("/proc/meminfo").ok()?;
-    let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
-    let kibibytes: usize = line.trim().strip_suffix(" kB")?.parse().ok()?;
-    kibibytes.checked_mul(1024 / 4 * 3)
+    memory::free().map(|bytes| usize::try_from(bytes / 4 * 3).unwrap_or(usize::MAX))
 }
 
 /// Who reads the output.

@@ -1,11 +1,28 @@
 //! What is written: products to stdout or, whole or not at all, to a file; notes for people to stderr.
 
 use crate::failure::Failure;
+use crate::options::Format;
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
+use std::process;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use synth_core::emit::template;
+
+/// Held while something is written, so that nobody ends the process halfway.
+static WRITING: Mutex<()> = Mutex::new(());
+
+fn writing() -> MutexGuard<'static, ()> {
+    WRITING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Ends the process with a failure, whatever others do in it, but not while they write.
+pub(crate) fn end(failure: &Failure, format: Format, color: bool) -> ! {
+    let exit = failure.report(format, color);
+    let _writing = writing();
+    process::exit(exit as i32)
+}
 
 /// Writes a product to `path`, or to stdout if there is none or it is `-`.
 pub(crate) fn product(path: Option<&Path>, text: &str) -> Result<(), Failure> {
@@ -67,6 +84,7 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
 
 /// Prints to stdout piece by piece. A reader that has seen enough and closes the pipe is no failure.
 pub(crate) fn stream(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+    let _writing = writing();
     let mut out = io::BufWriter::with_capacity(1 << 16, io::stdout().lock());
     let written = write(&mut out).and_then(|()| out.flush());
     match written {
@@ -82,6 +100,7 @@ pub(crate) fn note(line: &str) {
 
 /// Replaces the content of a file, or creates it.
 fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let _writing = writing();
     let existing = match fs::metadata(path) {
         Ok(metadata) if metadata.is_dir() => return Err(io::Error::other("it is a directory")),
         // A device or a pipe cannot be replaced, and nothing in it can be lost.
@@ -107,6 +126,7 @@ fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) ->
 
 /// Creates a file, whole or not at all, unless there is one already.
 pub(crate) fn create(path: &Path, text: &str) -> io::Result<()> {
+    let _writing = writing();
     let (mut file, temporary) = temporary_beside(path)?;
     let result = file.write_all(text.as_bytes()).and_then(|()| match fs::hard_link(&temporary, path) {
         // Some file systems have no links: then a reader may see half of it.

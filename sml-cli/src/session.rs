@@ -3,14 +3,14 @@
 use crate::failure::{Exit, Failure, nowhere};
 use crate::input::Given;
 use crate::options::{Color, Common, Format};
-use crate::{input, interrupt, output, timings};
+use crate::{input, interrupt, memory, output, timings};
 use std::io::IsTerminal;
 use std::path::Path;
 use std::sync::mpsc;
 use std::time::Duration;
 use synth_core::controller::tables::Provenance;
 use synth_core::controller::{Controller, Level};
-use synth_core::diagnostic::{Code, Diagnostic};
+use synth_core::diagnostic::{Code, Diagnostic, counted};
 use synth_core::existential::{Existential, existential};
 use synth_core::explain::{Explanation, explain};
 use synth_core::explore::{Explored, Limits, explore};
@@ -27,6 +27,7 @@ use synth_core::verdict::Verdict;
 /// Options and clock.
 pub(crate) struct Session {
     common: Common,
+    limits: Limits,
     timings: Timings,
 }
 
@@ -41,7 +42,8 @@ pub(crate) struct ReadPlant {
 
 impl Session {
     pub(crate) fn new(common: Common) -> Self {
-        Session { common, timings: Timings::with_peak(timings::peak) }
+        let limits = common.limits();
+        Session { common, limits, timings: Timings::with_peak(memory::peak) }
     }
 
     pub(crate) fn format(&self) -> Format {
@@ -67,7 +69,7 @@ impl Session {
 
     /// How a controller is made, and how far.
     pub(crate) fn options(&self, level: Level) -> Options {
-        Options { semantics: self.semantics(), limits: self.common.limits(), level, monitor: false }
+        Options { semantics: self.semantics(), limits: self.limits, level, monitor: false }
     }
 
     /// A specification, for subcommands that mean nothing to plants.
@@ -118,7 +120,7 @@ impl Session {
 
     /// The feedback of a plant, whether or not inputs and outputs show its states.
     pub(crate) fn feedback(&mut self, plant: &Plant) -> Result<ClosedLoop, pipeline::Failure> {
-        let limits = self.common.limits();
+        let limits = self.watched_limits();
         patiently(|| plant::pipeline::feedback(plant, &limits, &mut self.timings))
     }
 
@@ -127,7 +129,7 @@ impl Session {
         &mut self,
         plant: &'p Plant,
     ) -> Result<(Synthesis<'p>, ClosedLoop), pipeline::Failure> {
-        let limits = self.common.limits();
+        let limits = self.watched_limits();
         let synthesis = patiently(|| plant::pipeline::synthesis(plant, &limits, &mut self.timings))?;
         let closed = self.timings.stage("close", || synthesis.closed_loop(&limits));
         self.timings.size(Size::of_closed_loop(&closed));
@@ -140,7 +142,7 @@ impl Session {
         plant: &Plant,
         options: plant::Options,
     ) -> Result<Supervised, pipeline::Failure> {
-        let limits = self.common.limits();
+        let limits = self.watched_limits();
         patiently(|| plant::pipeline::control(plant, &limits, options, &mut self.timings))
     }
 
@@ -150,12 +152,12 @@ impl Session {
         plant: &Plant,
         options: plant::Options,
     ) -> Result<ModularlySupervised, pipeline::Failure> {
-        plant::pipeline::control_modular(plant, &self.common.limits(), options, &mut self.timings)
+        plant::pipeline::control_modular(plant, &self.watched_limits(), options, &mut self.timings)
     }
 
     /// The feedback of a plant, and a controller that follows its events.
     pub(crate) fn follow(&mut self, plant: &Plant, level: Level) -> Result<Followed, pipeline::Failure> {
-        let limits = self.common.limits();
+        let limits = self.watched_limits();
         patiently(|| plant::pipeline::follow(plant, &limits, level, &mut self.timings))
     }
 
@@ -193,20 +195,35 @@ impl Session {
         Ok(census)
     }
 
+    /// The same for what counts not all of its memory, or none: from now on the process as a whole is watched.
+    fn watched_limits(&self) -> Limits {
+        self.watch("what was found, and what is made of it, needs more".to_owned());
+        self.limits
+    }
+
+    fn watch(&self, found: String) {
+        memory::watch(self.limits.memory, found, self.format(), self.color(&std::io::stderr()));
+    }
+
     /// When to give up.
     pub(crate) fn limits(&self) -> Limits {
-        self.common.limits()
+        self.limits
     }
 
     pub(crate) fn solve<'s>(&mut self, loaded: &Loaded, spec: &'s Spec) -> Result<Solved<'s>, Failure> {
-        let options = self.options(Level::default());
-        let solved = pipeline::play_and_solve(spec, &options, &mut self.timings);
-        solved.map_err(|failure| Failure::of(&failure, &loaded.sources))
+        let explored = self.explore(loaded, spec)?;
+        let (states, edges) = (explored.game.states(), explored.game.edges());
+        self.watch(format!(
+            "{} and {} were found; what is made of them needs more",
+            counted(states, "state"),
+            counted(edges, "transition")
+        ));
+        Ok(pipeline::solved(explored, &self.limits, &mut self.timings))
     }
 
     /// Who wins, and no more.
     pub(crate) fn verdict(&mut self, loaded: &Loaded, spec: &Spec) -> Result<Verdict, Failure> {
-        let options = self.options(Level::default());
+        let options = Options { limits: self.watched_limits(), ..self.options(Level::default()) };
         let verdict = pipeline::verdict(spec, &options, &mut self.timings);
         verdict.map_err(|failure| Failure::of(&failure, &loaded.sources))
     }
@@ -217,7 +234,7 @@ impl Session {
         loaded: &Loaded,
         spec: &'s Spec,
     ) -> Result<(Solved<'s>, Option<Verdict>), Failure> {
-        let options = self.options(Level::default());
+        let options = Options { limits: self.watched_limits(), ..self.options(Level::default()) };
         let solved = pipeline::play_and_solve_early(spec, &options, &mut self.timings);
         solved.map_err(|failure| Failure::of(&failure, &loaded.sources))
     }
@@ -238,7 +255,7 @@ impl Session {
         spec: &Spec,
         controller: &Controller,
     ) -> Result<usize, pipeline::Failure> {
-        let options = self.options(Level::default());
+        let options = Options { limits: self.watched_limits(), ..self.options(Level::default()) };
         self.timings.stage("verify", || pipeline::check(spec, controller, &options))
     }
 
@@ -280,7 +297,7 @@ impl Session {
 
     /// Why the system cannot win; `None` if it can.
     pub(crate) fn explain(&mut self, solved: &Solved<'_>) -> Option<Explanation> {
-        let limits = self.common.limits();
+        let limits = self.watched_limits();
         self.timings.stage("explain", || explain(solved, &limits))
     }
 

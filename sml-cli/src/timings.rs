@@ -7,14 +7,6 @@ use std::time::Duration;
 use synth_core::diagnostic::counted;
 use synth_core::pipeline::{Size, Stage, Timings};
 
-/// Most bytes that this process has held so far, as Linux tells it.
-pub(crate) fn peak() -> Option<u64> {
-    let text = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
-    let kibibytes: u64 = line.trim().strip_suffix(" kB")?.parse().ok()?;
-    Some(kibibytes * 1024)
-}
-
 /// What is printed.
 pub(crate) fn shown(timings: &Timings, format: Format) -> String {
     match format {

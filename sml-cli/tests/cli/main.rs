@@ -5,6 +5,8 @@ mod exits;
 mod figures;
 mod files;
 mod graph;
+#[cfg(target_os = "linux")]
+mod memory;
 mod plants;
 mod plants_exported;
 mod plants_followed;

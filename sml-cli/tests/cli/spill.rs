@@ -1,33 +1,13 @@
 //! Exploration with files: `sml check --spill`.
 
-use crate::support::{Run, command, finish, listing, scratch, sml};
+use crate::support::{Run, command, finish, listing, scratch, sml, switches};
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
-
-/// A file with so many switches that can be turned at any time, on its own folder.
-fn switches(test: &str, count: usize) -> PathBuf {
-    let objects: String = (1..=count).map(|n| format!("  object switch{n}: Switch\n")).collect();
-    let text = format!(
-        "specification Switches {{
-  domain d {{ class Control {{ turned() }} class Switch {{ on: bool  confirm() }} }}
-  object control: Control
-{objects}  controllable {{ Control }}
-  effects {{ Switch -> Control.turned() {{ sender.on = !sender.on }} }}
-  collaboration C {{
-    dynamic role Switch switch
-    guarantee scenario G {{ switch -> control.turned() urgent control -> switch.confirm() }}
-  }}
-}}"
-    );
-    let file = scratch(test).join("switches.sml");
-    fs::write(&file, text).expect("a file");
-    file
-}
 
 /// `check` with a limit that is too low to solve, in a folder beside the file.
 fn arguments(file: &Path) -> String {

@@ -123,3 +123,23 @@ pub(crate) fn plant(name: &str) -> String {
 pub(crate) fn plant_text(name: &str) -> String {
     std::fs::read_to_string(specs().join(plant(name))).expect("a plant")
 }
+
+/// A file with so many switches that can be turned at any time, on its own folder.
+pub(crate) fn switches(test: &str, count: usize) -> PathBuf {
+    let objects: String = (1..=count).map(|n| format!("  object switch{n}: Switch\n")).collect();
+    let text = format!(
+        "specification Switches {{
+  domain d {{ class Control {{ turned() }} class Switch {{ on: bool  confirm() }} }}
+  object control: Control
+{objects}  controllable {{ Control }}
+  effects {{ Switch -> Control.turned() {{ sender.on = !sender.on }} }}
+  collaboration C {{
+    dynamic role Switch switch
+    guarantee scenario G {{ switch -> control.turned() urgent control -> switch.confirm() }}
+  }}
+}}"
+    );
+    let file = scratch(test).join("switches.sml");
+    std::fs::write(&file, text).expect("a file");
+    file
+}

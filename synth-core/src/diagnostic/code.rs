@@ -213,11 +213,11 @@ codes! {
          Wrong:  guarantee scenario Dark { violation [!lamp.lit] }\n\
          Right:  guarantee scenario Dark { user -> controller.pressed() violation [lamp.lit] }\n";
     LimitReached = 54, "a limit was reached",
-        "The state space is larger than `--max-states` or `--max-memory` allow, or than the machine's memory where no\n\
-         limit is given. Raise the limit, or make what is described smaller: fewer objects, narrower ranges, more\n\
-         assumptions about what the environment does; fewer components, or a part of the plant. In the macros `sml!` and\n\
-         `plant!` the limit is fixed, and lower still in an editor; a build script (`synth_core::build`) has none. The exit\n\
-         code is 3.\n";
+        "The state space, or what is made of it, is larger than `--max-states` or `--max-memory` allow, or than the\n\
+         machine's memory where no limit is given. Raise the limit, or make what is described smaller: fewer objects,\n\
+         narrower ranges, more assumptions about what the environment does; fewer components, or a part of the plant.\n\
+         In the macros `sml!` and `plant!` the limit is fixed, and lower still in an editor; a build script\n\
+         (`synth_core::build`) has none. The exit code is 3.\n";
 
     Unrealizable = 70, "a specification that no controller can meet",
         "Whatever the controller does, the environment can keep all assumptions and make it break or starve a\n\

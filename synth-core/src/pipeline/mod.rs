@@ -159,10 +159,16 @@ pub fn play_and_solve<'s>(
     let explored = timings.stage("explore", || explore(spec, options.semantics, &options.limits));
     let explored = explored?;
     timings.size(Size::of_game(&explored));
-    let solution =
-        timings.stage("solve", || solve_on(&explored.game, solving_threads(&explored.game, &options.limits)));
+    Ok(solved(explored, &options.limits, timings))
+}
+
+/// The second half of [`play_and_solve`], whoever wins.
+#[must_use]
+pub fn solved<'s>(explored: Explored<'s>, limits: &Limits, timings: &mut Timings) -> Solved<'s> {
+    let game = &explored.game;
+    let solution = timings.stage("solve", || solve_on(game, solving_threads(game, limits)));
     timings.size(Size::of_nodes(solution.winning_states()));
-    Ok(Solved { explored, solution, strategy: None })
+    Solved { explored, solution, strategy: None }
 }
 
 /// A small game is solved before another thread has begun, and many threads would only wait for memory.
