@@ -2,6 +2,7 @@
 
 use std::num::NonZeroUsize;
 use std::ops::Range;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 /// Cuts a range into consecutive parts of about one size and calls `work` with each, on a thread of its own. Each part has
@@ -38,6 +39,22 @@ pub(crate) fn share<T: Default + Send>(
         work(&mut first[0], part(0));
     });
     parts
+}
+
+/// Calls `work` for each of so many items. Each thread takes the next item as soon as it is done with one, and has a place for its
+/// results, so which place an item's result is in means nothing. `threads` as for [`share`].
+pub(crate) fn take_turns<T: Default + Send>(
+    places: &mut Vec<T>,
+    items: usize,
+    threads: usize,
+    work: impl Fn(&mut T, usize) + Sync,
+) {
+    let next = AtomicUsize::new(0);
+    let threads = threads_for(items, threads);
+    share(places, 0..threads as u32, 1, threads, |place, _| {
+        let turns = std::iter::repeat_with(|| next.fetch_add(1, Ordering::Relaxed));
+        turns.take_while(|&item| item < items).for_each(|item| work(place, item));
+    });
 }
 
 /// On how many threads to do work for `most`: so many as are asked for, or as the machine runs at once if `threads` is 0, and one at
@@ -89,6 +106,18 @@ mod tests {
         check(0..10, 1, 3, &[(0, 4), (4, 8), (8, 10)]);
         check(0..9, 1, 8, &[(0, 2), (2, 4), (4, 6), (6, 8), (8, 9), (9, 9), (9, 9), (9, 9)]);
         check(7..7, 1, 4, &[(7, 7)]);
+    }
+
+    #[test]
+    fn each_item_is_somebodys_turn() {
+        for threads in 1..9 {
+            let mut places: Vec<Vec<usize>> = Vec::new();
+            take_turns(&mut places, 5, threads, Vec::push);
+            assert!(places.len() <= threads.min(5));
+            let mut all = places.concat();
+            all.sort_unstable();
+            assert_eq!(all, [0, 1, 2, 3, 4]);
+        }
     }
 
     #[test]

@@ -109,7 +109,7 @@ impl<'g> CounterStrategy<'g> {
         }
         let predecessors = Predecessors::new(game);
         let assumptions = Acceptance::assumptions(game);
-        let goals = Acceptance::goals(game);
+        let goals = Acceptance::goals(game, 1);
         let layers = Layers::new(game, &predecessors, &assumptions, &goals);
         let ranks = BTreeMap::new();
         Some(CounterStrategy { game, predecessors, assumptions, goals, layers, ranked: NONE, ranks })

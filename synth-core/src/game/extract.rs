@@ -12,8 +12,10 @@
 //!    an arbiter that goes round are such strategies.
 //! 3. *With the goal that is pursued as memory*, rotating over the goals that were missed.
 
-use super::plays::{Memory, Plays};
-use super::{Game, Solution, Strategy, acceptance::Acceptance, fairness::missed};
+use super::choices::Choices;
+use super::graph::OfStrategy;
+use super::plays::{Memory, Moves, Plays};
+use super::{Game, Solution, Strategy, acceptance::Acceptance, fairness::Fairness};
 use std::{error::Error, fmt};
 
 /// Why there is no strategy to hand out.
@@ -43,23 +45,35 @@ impl fmt::Display for ExtractError {
 
 impl Error for ExtractError {}
 
-/// A strategy that wins from the initial state: deterministic, the same for the same game, and checked.
+/// A strategy that wins from the initial state: deterministic, the same for the same game, and checked. On one thread.
 ///
 /// # Errors
 ///
 /// [`ExtractError::Unrealizable`] if the initial state is not winning; the others only if `solution` is not that of
 /// `game`, or wrong.
 pub fn extract(game: &Game, solution: &Solution) -> Result<Strategy, ExtractError> {
+    extract_on(game, solution, 1)
+}
+
+/// As [`extract`], with so many goals checked at a time, each on a thread of its own; the result does not depend on it.
+/// Each takes at most seven `u32` for a state or node.
+///
+/// # Errors
+///
+/// As for [`extract`].
+pub fn extract_on(game: &Game, solution: &Solution, threads: usize) -> Result<Strategy, ExtractError> {
     if !solution.wins(game.initial) {
         return Err(ExtractError::Unrealizable);
     }
-    Extraction::new(game, solution).run()
+    Extraction::new(game, solution, threads.max(1)).run()
 }
 
 struct Extraction<'a> {
     game: &'a Game,
     solution: &'a Solution,
+    threads: usize,
     goals: Vec<Acceptance>,
+    fairness: Fairness<'a>,
     /// All goals, the most important first.
     order: Vec<usize>,
     /// The goals that some strategy has missed, ascending.
@@ -67,16 +81,20 @@ struct Extraction<'a> {
 }
 
 impl<'a> Extraction<'a> {
-    fn new(game: &'a Game, solution: &'a Solution) -> Self {
-        let goals = Acceptance::goals(game);
-        Extraction { game, solution, order: (0..goals.len()).collect(), goals, demanding: Vec::new() }
+    fn new(game: &'a Game, solution: &'a Solution, threads: usize) -> Self {
+        let goals = Acceptance::goals(game, threads);
+        let order = (0..goals.len()).collect();
+        let fairness = Fairness::new(game);
+        Extraction { game, solution, threads, order, goals, fairness, demanding: Vec::new() }
     }
 
     fn run(mut self) -> Result<Strategy, ExtractError> {
+        let Extraction { game, solution, threads, .. } = self;
         let rotation = loop {
-            let (strategy, missed) = self.attempt(Memory::Nothing)?;
+            let choices = Choices::new(game, solution, &self.order, threads)?;
+            let missed = self.fairness.missed(&choices, &self.goals, solution.ending, threads);
             if missed.is_empty() {
-                return Ok(strategy);
+                return Ok(choices.strategy());
             }
             let first = self.order[0];
             self.order.sort_by_key(|goal| missed.binary_search(goal).is_err());
@@ -110,9 +128,11 @@ impl<'a> Extraction<'a> {
 
     /// A strategy with this memory, and the goals that it misses, ascending.
     fn attempt(&self, memory: Memory) -> Result<(Strategy, Vec<usize>), ExtractError> {
-        let Extraction { game, solution, goals, order, demanding } = self;
-        let strategy = Plays::new(game, solution, goals, order, demanding, memory).explore()?;
-        let missed = missed(game, &strategy, goals, solution.ending);
+        let &Extraction { game, solution, threads, ref goals, ref order, ref demanding, .. } = self;
+        let moves = Moves { game, solution, goals, order, demanding };
+        let strategy = Plays::new(moves, memory, threads).explore()?;
+        let graph = OfStrategy { game, strategy: &strategy };
+        let missed = self.fairness.missed(&graph, goals, solution.ending, threads);
         Ok((strategy, missed))
     }
 

@@ -3,66 +3,91 @@
 //! With all choices of the system made, only the environment plays. A play that misses a goal stays from some time on
 //! in nodes where the goal's key is open and takes only edges that do not discharge it; the nodes and edges that it
 //! repeats for ever lie in one strongly connected component of that part of the graph. So a goal fails exactly if
-//! such a component, as a whole, accepts every assumption. Most nodes are in none, and [`Trim`] finds that out for all
-//! goals together.
+//! such a component, as a whole, accepts every assumption.
 
-use super::components::{Components, Part};
-use super::trim::{GOALS, Trim};
+use super::components::{Component, Components, Part};
+use super::graph::{Graph, OfStrategy};
 use super::{Game, Strategy, Turn, acceptance::Acceptance};
+use crate::parallel::take_turns;
+use fixedbitset::FixedBitSet;
 
-/// The goals that some play of the strategy, fair to all assumptions, misses, ascending. If `ending`, the last goal, the end
-/// of super steps, must also be met by plays that are not fair.
-pub(super) fn missed(game: &Game, strategy: &Strategy, goals: &[Acceptance], ending: bool) -> Vec<usize> {
-    let is_assumption = assumptions(game);
-    let none = vec![false; is_assumption.len()];
-    let mut trim = Trim::new(game, strategy, &is_assumption);
-    let mut components = None;
-    let mut missed = Vec::new();
-    for (first, goals_together) in (0..).step_by(GOALS).zip(goals.chunks(GOALS)) {
-        let alive = trim.run(goals_together);
-        let any = alive.iter().fold(0, |any, alive| any | alive);
-        for (bit, goal) in goals_together.iter().enumerate().filter(|(bit, _)| any >> bit & 1 == 1) {
-            let is_assumption = if ending && first + bit + 1 == goals.len() { &none } else { &is_assumption };
-            let part = Missing { game, strategy, goal, is_assumption };
-            let part = Trimmed { part, alive: &alive, bit };
-            let components = components.get_or_insert_with(|| Components::new(strategy));
-            let nodes = (0..strategy.nodes() as u32).filter(|&node| alive[node as usize] >> bit & 1 == 1);
-            if components.any(&part, nodes, |component, of| part.part.is_fair(component, of)) {
-                missed.push(first + bit);
-            }
-        }
-    }
-    missed
+/// What is asked of plays, whatever the strategy.
+pub(super) struct Fairness<'a> {
+    game: &'a Game,
+    /// Per key: whether it is one of an assumption.
+    is_assumption: Vec<bool>,
+    /// The states in which a play may stay for ever in silence and be fair.
+    rests: FixedBitSet,
 }
 
-/// Per key: whether it is one of an assumption.
-fn assumptions(game: &Game) -> Vec<bool> {
-    let mut is_assumption = vec![false; game.key_sets.keys() as usize];
-    for &key in &game.assumptions {
-        is_assumption[key as usize] = true;
+impl<'a> Fairness<'a> {
+    pub(super) fn new(game: &'a Game) -> Self {
+        let mut is_assumption = vec![false; game.key_sets.keys() as usize];
+        for &key in &game.assumptions {
+            is_assumption[key as usize] = true;
+        }
+        let sets = 0..game.key_sets.len() as u32;
+        let assumes: Vec<bool> =
+            sets.map(|set| game.key_sets.members(set).any(|key| is_assumption[key as usize])).collect();
+        let rests = |&state: &usize| {
+            game.silent[state] && game.turn[state].is_environment() && !assumes[game.open[state] as usize]
+        };
+        let mut all = FixedBitSet::with_capacity(game.states());
+        (0..game.states()).filter(rests).for_each(|state| all.insert(state));
+        Fairness { game, is_assumption, rests: all }
     }
-    is_assumption
+
+    /// The goals that some play of a strategy, fair to all assumptions, misses, ascending. If `ending`, the last goal, the end
+    /// of super steps, must also be met by plays that are not fair.
+    pub(super) fn missed<G: Graph>(
+        &self,
+        graph: &G,
+        goals: &[Acceptance],
+        ending: bool,
+        threads: usize,
+    ) -> Vec<usize> {
+        let mut places: Vec<(Option<Components<'_, G>>, Vec<usize>)> = Vec::new();
+        take_turns(&mut places, goals.len(), threads, |(components, missed), index| {
+            let part = Missing { fairness: self, graph, goal: &goals[index] };
+            if part.goal.open.is_clear() {
+                return;
+            }
+            let must_end = ending && index + 1 == goals.len();
+            let fails =
+                |component: Component<'_>| component.is_cyclic && (must_end || part.is_fair(component));
+            let mut silent = self.rests.clone();
+            silent.intersect_with(&part.goal.open);
+            if !silent.is_clear() && graph.nodes_in(&silent).next().is_some()
+                || components.get_or_insert_with(|| Components::new(graph)).any(&part, fails)
+            {
+                missed.push(index);
+            }
+        });
+        let mut missed: Vec<usize> = places.into_iter().flat_map(|(_, missed)| missed).collect();
+        missed.sort_unstable();
+        missed
+    }
 }
 
 /// Per node of the strategy: the environment has no play from there that is fair to all assumptions, nor has the system won
 /// already.
 #[must_use]
 pub fn trapped(game: &Game, strategy: &Strategy) -> Vec<bool> {
-    let is_assumption = assumptions(game);
-    let goal = Acceptance::never(game);
-    let part = Missing { game, strategy, goal: &goal, is_assumption: &is_assumption };
+    let (fairness, goal) = (Fairness::new(game), Acceptance::never(game));
+    let graph = OfStrategy { game, strategy };
+    let part = Missing { fairness: &fairness, graph: &graph, goal: &goal };
     let mut trapped = vec![false; strategy.nodes()];
-    // A component comes after those that it leads to.
-    Components::new(strategy).any(&part, 0..strategy.nodes() as u32, |component, of| {
+    Components::new(&graph).any(&part, |component| {
+        let Component { nodes, number, .. } = component;
         let leads_out = |&node: &u32| {
             strategy.edges_of(node).any(|edge| {
-                let target = strategy.target[edge];
-                of[target as usize] != of[node as usize] && !trapped[target as usize]
+                let target = strategy.target[edge] as usize;
+                number[target] != number[node as usize] && !trapped[target]
             })
         };
-        let is_over = game.turn[strategy.state[component[0] as usize] as usize] == Turn::Won;
-        if !is_over && !component.iter().any(leads_out) && !part.is_fair(component, of) {
-            component.iter().for_each(|&node| trapped[node as usize] = true);
+        let is_over = game.turn[strategy.state[nodes[0] as usize] as usize] == Turn::Won;
+        if !is_over && !nodes.iter().any(leads_out) && !part.is_fair(component) {
+            nodes.iter().for_each(|&node| trapped[node as usize] = true);
         }
         false
     });
@@ -70,73 +95,56 @@ pub fn trapped(game: &Game, strategy: &Strategy) -> Vec<bool> {
 }
 
 /// The part of a strategy's graph in which a goal is not accepted.
-struct Missing<'a> {
-    game: &'a Game,
-    strategy: &'a Strategy,
+struct Missing<'a, G> {
+    fairness: &'a Fairness<'a>,
+    graph: &'a G,
     goal: &'a Acceptance,
-    is_assumption: &'a [bool],
 }
 
-impl Part for Missing<'_> {
-    fn has_node(&self, node: u32) -> bool {
-        self.goal.open.contains(self.strategy.state[node as usize] as usize)
+impl<G: Graph> Part for Missing<'_, G> {
+    fn nodes(&self) -> impl Iterator<Item = u32> {
+        self.graph.nodes_in(&self.goal.open)
     }
 
     fn has_edge(&self, edge: usize) -> bool {
-        !self.goal.accepts(self.action(edge))
+        !self.goal.accepts(self.graph.action(edge))
     }
 }
 
-/// Of that part what is left of it.
-struct Trimmed<'a> {
-    part: Missing<'a>,
-    alive: &'a [u64],
-    bit: usize,
-}
-
-impl Part for Trimmed<'_> {
-    fn has_node(&self, node: u32) -> bool {
-        self.alive[node as usize] >> self.bit & 1 == 1
-    }
-
-    fn has_edge(&self, edge: usize) -> bool {
-        self.part.has_edge(edge)
-    }
-}
-
-impl Missing<'_> {
-    /// What happens on an edge of the strategy.
-    fn action(&self, edge: usize) -> u32 {
-        self.game.action[self.strategy.edge[edge] as usize]
-    }
-
+impl<G: Graph> Missing<'_, G> {
     /// Whether the environment can stay in the component for ever and be fair to all assumptions.
-    fn is_fair(&self, component: &[u32], component_of: &[u32]) -> bool {
-        let Game { key_sets, open, silent, .. } = self.game;
-        let state = |node: u32| self.strategy.state[node as usize] as usize;
-        let own = component_of[component[0] as usize];
-        let inner = |node: u32| {
-            self.strategy.edges_of(node).filter(move |&edge| {
-                component_of[self.strategy.target[edge] as usize] == own && self.has_edge(edge)
-            })
-        };
-        if let &[single] = component {
-            let stays = self.game.turn[state(single)].is_environment() && silent[state(single)];
-            if !stays && inner(single).next().is_none() {
-                return false;
-            }
+    fn is_fair(&self, component: Component<'_>) -> bool {
+        let Component { nodes, is_cyclic, number } = component;
+        if let [node] = nodes
+            && self.fairness.rests.contains(self.graph.state(*node) as usize)
+        {
+            return true;
         }
-        // The assumptions that no node seen so far and no edge between nodes accepts.
-        let mut missed: Vec<u32> = key_sets.members(open[state(component[0])]).collect();
-        missed.retain(|&key| self.is_assumption[key as usize]);
-        for &node in component {
-            missed.retain(|&key| key_sets.contains(open[state(node)], key));
-            for edge in inner(node) {
-                let discharged = self.game.actions.discharged(self.action(edge));
-                missed.retain(|&key| !key_sets.contains(discharged, key));
-            }
+        if !is_cyclic {
+            return false;
+        }
+        let Game { key_sets, open, actions, .. } = self.fairness.game;
+        let open = |&node: &u32| open[self.graph.state(node) as usize];
+        // The assumptions that no node and no edge between nodes accepts, of those looked at so far.
+        let mut missed: Vec<u32> = key_sets.members(open(&nodes[0])).collect();
+        missed.retain(|&key| self.fairness.is_assumption[key as usize]);
+        for node in nodes {
+            let set = open(node);
+            missed.retain(|&key| key_sets.contains(set, key));
             if missed.is_empty() {
                 return true;
+            }
+        }
+        // Hardly any edge discharges one of them, so that is asked first.
+        let own = number[nodes[0] as usize];
+        for edge in nodes.iter().flat_map(|&node| self.graph.edges_of(node)) {
+            let discharged = actions.discharged(self.graph.action(edge));
+            let stays = |edge| number[self.graph.target(edge) as usize] == own && self.has_edge(edge);
+            if missed.iter().any(|&key| key_sets.contains(discharged, key)) && stays(edge) {
+                missed.retain(|&key| !key_sets.contains(discharged, key));
+                if missed.is_empty() {
+                    return true;
+                }
             }
         }
         false

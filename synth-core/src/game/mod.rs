@@ -4,26 +4,28 @@
 
 mod acceptance;
 mod actions;
+mod choices;
 mod components;
 mod counter;
 mod counter_strategy;
 mod extract;
 mod fairness;
+mod graph;
 mod keysets;
 mod paths;
 mod plays;
 mod predecessors;
+mod preference;
 mod pursuit;
 mod region;
 mod separation;
 mod solve;
 mod strategy;
-mod trim;
 
 pub use actions::{Actions, ActionsBuilder};
 pub use counter::{CounterPlay, Loss, can_meet, counter_play, wins};
 pub use counter_strategy::{CounterStrategy, Standing};
-pub use extract::{ExtractError, extract};
+pub use extract::{ExtractError, extract, extract_on};
 pub use fairness::trapped;
 pub use keysets::{KeySets, KeySetsBuilder};
 pub(crate) use keysets::{insert, words_for};

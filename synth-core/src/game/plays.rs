@@ -1,14 +1,15 @@
-//! The plays of one strategy: explored breadth first, with the choices of the system made on the way.
+//! The plays of one strategy with memory: explored breadth first, with the choices of the system made on the way.
 
+use super::choices::{NONE, of_states};
 use super::extract::ExtractError;
-use super::{Game, Solution, Strategy, YIELD, acceptance::Acceptance};
+use super::preference::Preference;
+use super::{Game, Solution, Strategy, acceptance::Acceptance};
 use rustc_hash::FxHashSet;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What a strategy remembers.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Memory {
-    /// The state of the game is enough.
-    Nothing,
     /// The last decision between moves that make progress towards different goals; the same is taken again as long as it makes
     /// progress.
     KeepDecision,
@@ -18,18 +19,43 @@ pub(super) enum Memory {
     Goal,
 }
 
-const NONE: u32 = u32::MAX;
+/// Between what the system chooses.
+#[derive(Clone, Copy)]
+pub(super) struct Moves<'a> {
+    pub(super) game: &'a Game,
+    pub(super) solution: &'a Solution,
+    pub(super) goals: &'a [Acceptance],
+    /// All goals, the most important first.
+    pub(super) order: &'a [usize],
+    /// The goals between which the system has to divide its time. A goal in memory is an index of these.
+    pub(super) demanding: &'a [usize],
+}
+
+impl Moves<'_> {
+    fn preference(&self) -> Preference<'_> {
+        Preference { game: self.game, solution: self.solution }
+    }
+
+    /// Of the candidates in a state those that make progress towards a demanding goal that is open.
+    fn useful(&self, state: u32, candidates: &[usize]) -> impl Iterator<Item = usize> {
+        let is_open = move |goal: &&usize| self.goals[**goal].open.contains(state as usize);
+        let is_useful = move |edge: usize| {
+            let mut pursued =
+                self.demanding.iter().filter(|&&goal| self.solution.progress[goal].contains(edge));
+            pursued.any(|goal| is_open(&goal))
+        };
+        candidates.iter().copied().filter(move |&edge| is_useful(edge))
+    }
+}
 
 /// Explores the plays of a strategy.
 pub(super) struct Plays<'a> {
-    game: &'a Game,
-    solution: &'a Solution,
-    goals: &'a [Acceptance],
-    /// The goals between which the system has to divide its time. A goal in memory is an index of these.
-    demanding: &'a [usize],
+    moves: Moves<'a>,
     memory: Memory,
-    /// Per goal in memory, or only one: all goals, the most important first.
+    /// Per goal in memory: all goals, the most important first.
     orders: Vec<Vec<usize>>,
+    /// If decisions are remembered, per state of the system: what it chooses whatever it remembers.
+    fixed: Vec<u32>,
     /// Per action: it is one of those between which there is something to decide.
     decides: Vec<bool>,
     /// Per state: the first of its nodes.
@@ -43,55 +69,58 @@ pub(super) struct Plays<'a> {
 }
 
 impl<'a> Plays<'a> {
-    pub(super) fn new(
-        game: &'a Game,
-        solution: &'a Solution,
-        goals: &'a [Acceptance],
-        order: &[usize],
-        demanding: &'a [usize],
-        memory: Memory,
-    ) -> Self {
-        let mut orders = vec![order.to_vec()];
-        if memory == Memory::Goal {
-            orders.resize(demanding.len(), order.to_vec());
-            for (order, &pursued) in orders.iter_mut().zip(demanding) {
-                order.sort_by_key(|&goal| goal != pursued);
-            }
-        }
-        let plays = Plays {
-            game,
-            solution,
-            goals,
-            demanding,
+    pub(super) fn new(moves: Moves<'a>, memory: Memory, threads: usize) -> Self {
+        let Moves { game, order, demanding, .. } = moves;
+        let mut plays = Plays {
+            moves,
             memory,
-            orders,
+            orders: Vec::new(),
+            fixed: Vec::new(),
+            decides: Vec::new(),
             node: vec![NONE; game.states()],
             next: Vec::new(),
             remembered: Vec::new(),
             strategy: Strategy { state: Vec::new(), first: vec![0], edge: Vec::new(), target: Vec::new() },
-            decides: vec![false; game.actions.len()],
             candidates: Vec::new(),
         };
-        if plays.remembers_decisions() { plays.find_decisions() } else { plays }
-    }
-
-    fn remembers_decisions(&self) -> bool {
-        matches!(self.memory, Memory::KeepDecision | Memory::RotateDecisions)
+        if memory == Memory::Goal {
+            plays.orders = vec![order.to_vec(); demanding.len()];
+            for (order, &pursued) in plays.orders.iter_mut().zip(demanding) {
+                order.sort_by_key(|&goal| goal != pursued);
+            }
+        } else {
+            plays.find_decisions(threads);
+        }
+        plays
     }
 
     /// Looks for states in which several moves make progress towards demanding goals. Moves like these are remembered
     /// even where there is no choice.
-    fn find_decisions(mut self) -> Self {
-        let mut labels = FxHashSet::default();
-        for state in self.solution.winning.ones().filter(|&state| self.game.turn[state].is_system()) {
-            self.collect_candidates(state as u32);
-            let useful: Vec<u32> = self.useful(state as u32).map(|edge| self.game.label(edge)).collect();
-            if useful.len() > 1 {
-                labels.extend(useful);
+    fn find_decisions(&mut self, threads: usize) {
+        let Moves { game, solution, order, .. } = self.moves;
+        let decides: Vec<AtomicBool> = game.actions.labels().map(|_| AtomicBool::new(false)).collect();
+        self.fixed = of_states(game, solution, threads, |state, candidates| {
+            let preference = self.moves.preference();
+            preference.collect_candidates(state, candidates);
+            let mut useful = self.moves.useful(state, candidates);
+            match (useful.next(), useful.next()) {
+                (Some(one), Some(other)) => {
+                    for edge in [one, other].into_iter().chain(useful) {
+                        decides[game.action[edge] as usize].store(true, Ordering::Relaxed);
+                    }
+                    None
+                }
+                (Some(only), None) => Some(only),
+                _ => {
+                    drop(useful);
+                    preference.choose(order, candidates)
+                }
             }
-        }
-        self.decides = self.game.actions.labels().map(|label| labels.contains(&label)).collect();
-        self
+        });
+        let labels = || game.actions.labels();
+        let decided = labels().zip(decides).filter(|(_, decides)| decides.load(Ordering::Relaxed));
+        let decided: FxHashSet<u32> = decided.map(|(label, _)| label).collect();
+        self.decides = labels().map(|label| decided.contains(&label)).collect();
     }
 
     /// The graph of the plays.
@@ -99,19 +128,19 @@ impl<'a> Plays<'a> {
     /// # Errors
     /// [`ExtractError::Leaves`].
     pub(super) fn explore(mut self) -> Result<Strategy, ExtractError> {
-        self.enter(self.game.initial, self.begin());
+        let Moves { game, solution, .. } = self.moves;
+        self.enter(game.initial, self.begin());
         let mut node = 0;
         while let Some(&state) = self.strategy.state.get(node) {
-            if !self.solution.wins(state) {
+            if !solution.wins(state) {
                 return Err(ExtractError::Leaves(state));
             }
             let remembered = self.remembered[node];
-            if self.game.turn[state as usize].is_system() {
-                let choice = self.choose(state, remembered);
-                let (edge, remembered) = choice.ok_or(ExtractError::Leaves(state))?;
-                self.follow(edge, remembered);
+            if game.turn[state as usize].is_system() {
+                let edge = self.choose(state, remembered).ok_or(ExtractError::Leaves(state))?;
+                self.follow(edge, self.remember(edge, remembered));
             } else {
-                for edge in self.game.edges_of(state) {
+                for edge in game.edges_of(state) {
                     self.follow(edge, remembered);
                 }
             }
@@ -123,21 +152,20 @@ impl<'a> Plays<'a> {
 
     /// What is remembered before anything has happened: a decision after which the first of all is taken.
     fn begin(&self) -> u32 {
-        let decides = |action: &u32| self.decides[*action as usize];
-        let labels =
-            (0..self.decides.len() as u32).filter(decides).map(|action| self.game.actions.label(action));
+        let labels = self.moves.game.actions.labels().zip(&self.decides);
+        let decided = labels.filter(|(_, decides)| **decides).map(|(label, _)| label);
         match self.memory {
-            Memory::Nothing | Memory::Goal => Some(0),
-            Memory::KeepDecision => labels.min(),
-            Memory::RotateDecisions => labels.max(),
+            Memory::Goal => Some(0),
+            Memory::KeepDecision => decided.min(),
+            Memory::RotateDecisions => decided.max(),
         }
         .unwrap_or(0)
     }
 
     fn follow(&mut self, edge: usize, remembered: u32) {
-        let action = self.game.action[edge];
+        let action = self.moves.game.action[edge];
         let remembered = self.turn_to(remembered, |goal| !goal.accepts(action));
-        let target = self.enter(self.game.target[edge], remembered);
+        let target = self.enter(self.moves.game.target[edge], remembered);
         self.strategy.edge.push(edge as u32);
         self.strategy.target.push(target);
     }
@@ -166,69 +194,39 @@ impl<'a> Plays<'a> {
         if self.memory != Memory::Goal {
             return remembered;
         }
-        let goals = self.demanding.len() as u32;
-        let mut following = (remembered..goals).chain(0..remembered.min(goals));
-        following.find(|&goal| unmet(&self.goals[self.demanding[goal as usize]])).unwrap_or(0)
+        let Moves { goals, demanding, .. } = self.moves;
+        let all = demanding.len() as u32;
+        let mut following = (remembered..all).chain(0..remembered.min(all));
+        following.find(|&goal| unmet(&goals[demanding[goal as usize]])).unwrap_or(0)
     }
 
-    /// The move of the system, and what it remembers of it.
-    fn choose(&mut self, state: u32, remembered: u32) -> Option<(usize, u32)> {
-        self.collect_candidates(state);
-        if !self.remembers_decisions() {
-            let order = if self.memory == Memory::Goal { remembered as usize } else { 0 };
-            return self.prefer(order).map(|edge| (edge, remembered));
+    /// The move of the system.
+    fn choose(&mut self, state: u32, remembered: u32) -> Option<usize> {
+        let fixed = self.fixed.get(state as usize).filter(|&&edge| edge != NONE);
+        if let Some(&edge) = fixed {
+            return Some(edge as usize);
         }
-        let edge = self.decide(state, remembered).or_else(|| self.prefer(0))?;
-        let is_decision = self.decides[self.game.action[edge] as usize];
-        Some((edge, if is_decision { self.game.label(edge) } else { remembered }))
-    }
-
-    /// The moves that win.
-    fn collect_candidates(&mut self, state: u32) {
-        let Plays { game, solution, candidates, .. } = self;
-        candidates.clear();
-        candidates.extend(game.edges_of(state).filter(|&edge| solution.wins(game.target[edge])));
-    }
-
-    /// The candidates that make progress towards a demanding goal that is open.
-    fn useful(&self, state: u32) -> impl Iterator<Item = usize> {
-        let is_open = move |goal: &&usize| self.goals[**goal].open.contains(state as usize);
-        let is_useful = move |edge: usize| {
-            self.demanding.iter().filter(is_open).any(|&goal| self.solution.progress[goal].contains(edge))
-        };
-        self.candidates.iter().copied().filter(move |&edge| is_useful(edge))
-    }
-
-    /// A useful candidate by the last decision, if there are several.
-    fn decide(&self, state: u32, last: u32) -> Option<usize> {
-        if self.candidates.len() < 2 {
-            return None;
+        let preference = self.moves.preference();
+        preference.collect_candidates(state, &mut self.candidates);
+        match self.memory {
+            Memory::Goal => preference.choose(&self.orders[remembered as usize], &mut self.candidates),
+            Memory::KeepDecision => self.decide(state, |label| label < remembered),
+            Memory::RotateDecisions => self.decide(state, |label| label <= remembered),
         }
-        let after = |label: u32| match self.memory {
-            Memory::KeepDecision => label >= last,
-            _ => label > last,
-        };
-        self.useful(state).min_by_key(|&edge| {
-            let label = self.game.label(edge);
-            (!after(label), label)
+    }
+
+    /// The first useful candidate in the order of decisions; those whose turn comes `later` come last.
+    fn decide(&self, state: u32, later: impl Fn(u32) -> bool) -> Option<usize> {
+        self.moves.useful(state, &self.candidates).min_by_key(|&edge| {
+            let label = self.moves.game.label(edge);
+            (later(label), label)
         })
     }
 
-    /// By an order of the goals: those that make progress towards the first, of these those for the second, and so on.
-    fn prefer(&mut self, order: usize) -> Option<usize> {
-        let Plays { game, solution, candidates, orders, .. } = self;
-        for &goal in &orders[order] {
-            let progress = &solution.progress[goal];
-            if candidates.len() > 1 && candidates.iter().any(|&edge| progress.contains(edge)) {
-                candidates.retain(|&edge| progress.contains(edge));
-            }
-        }
-        // The shorter super step; of these a yield, which sends nothing; of the others the smaller text.
-        candidates.iter().copied().min_by_key(|&edge| {
-            let target = game.target[edge];
-            let system = game.turn[target as usize].is_system();
-            let remaining = if system { solution.remaining[target as usize] } else { 0 };
-            (remaining, game.label(edge) != YIELD, edge)
-        })
+    /// What the system remembers behind an edge that it has chosen.
+    fn remember(&self, edge: usize, remembered: u32) -> u32 {
+        let action = self.moves.game.action[edge];
+        let is_decision = self.decides.get(action as usize).is_some_and(|&decides| decides);
+        if is_decision { self.moves.game.label(edge) } else { remembered }
     }
 }

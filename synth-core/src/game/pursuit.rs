@@ -34,7 +34,7 @@ use fixedbitset::FixedBitSet;
 use std::collections::VecDeque;
 
 /// To look backwards from a state costs about so many times what it costs to look at a state.
-const DEARER: usize = 8;
+const DEARER: usize = 4;
 
 /// Pursues goals one after the other, with arrays that are allocated once.
 #[derive(Debug)]
@@ -57,10 +57,9 @@ pub(super) struct Pursuit<'g> {
     kept: FixedBitSet,
     /// The states that were in `kept` at first, or are still.
     candidates: Vec<u32>,
-    /// The states of the environment that have been looked at and cannot be kept.
-    refused: Vec<u32>,
-    /// Per state: it is in `refused`.
-    is_refused: FixedBitSet,
+    /// Per state of the environment: the edge because of which it could not be kept the last time; it is mostly the same one
+    /// the next time. Where there was none yet, the first edge, if there is one.
+    refusing: Vec<u32>,
     /// The states that have been dropped from `kept`, to be looked at.
     dropped: Vec<u32>,
     /// Of an environment state in `left`: its choices that stay in `left` and do not accept the goal. Of a system
@@ -85,8 +84,7 @@ impl<'g> Pursuit<'g> {
             known: Vec::new(),
             kept: FixedBitSet::with_capacity(states),
             candidates: Vec::new(),
-            refused: Vec::new(),
-            is_refused: FixedBitSet::with_capacity(states),
+            refusing: game.first[..states].to_vec(),
             dropped: Vec::new(),
             choices: vec![0; states],
             distance: vec![0; if ending { states } else { 0 }],
@@ -225,13 +223,9 @@ impl<'g> Pursuit<'g> {
         let possible = self.left.intersection_count(&assumption.open);
         match known {
             Some(known) if self.good.len() - known < possible / DEARER => {
-                self.collect_candidates(assumption, goal, known);
+                self.collect_behind(assumption, goal, known);
             }
-            _ => {
-                self.kept.clone_from(&self.left);
-                self.kept.intersect_with(&assumption.open);
-                self.candidates.extend(self.kept.ones().map(|state| state as u32));
-            }
+            _ => self.collect_candidates(assumption, goal),
         }
         for &state in &self.candidates {
             let mut edges = self.game.edges_of(state);
@@ -242,10 +236,14 @@ impl<'g> Pursuit<'g> {
                 self.choices[state as usize] = count;
                 count == 0
             } else {
-                edges.any(|edge| {
+                let refusing = edges.find(|&edge| {
                     let stays = self.left.contains(target[edge] as usize) && !goal.accepts(action[edge]);
                     stays && !avoids(edge)
-                })
+                });
+                if let Some(edge) = refusing {
+                    self.refusing[state as usize] = edge as u32;
+                }
+                refusing.is_some()
             };
             if drop {
                 self.dropped.push(state);
@@ -262,54 +260,52 @@ impl<'g> Pursuit<'g> {
         !self.candidates.is_empty()
     }
 
-    /// Collects in `kept` what can belong to an avoidance: what leads to states that are good since the first `known` were,
-    /// through states that nothing speaks against at once.
-    fn collect_candidates(&mut self, assumption: &Acceptance, goal: &Acceptance, known: usize) {
-        let Game { turn, target, action, .. } = self.game;
+    /// Collects in `kept` what can belong to an avoidance: what its last refusal does not speak against.
+    fn collect_candidates(&mut self, assumption: &Acceptance, goal: &Acceptance) {
+        let Pursuit { game, left, candidates, refusing, kept, .. } = self;
+        let refusal = Refusal { game, left, assumption, goal };
+        kept.clone_from(left);
+        kept.intersect_with(&assumption.open);
+        candidates.extend(kept.ones().map(|state| state as u32));
+        candidates.retain(|&state| {
+            let index = state as usize;
+            let is_refused = !game.turn[index].is_system() && refusal.lasts(state, refusing[index]);
+            kept.set(index, !is_refused);
+            !is_refused
+        });
+    }
+
+    /// Collects what nothing speaks against at once, but only what leads to states that are good since the first `known` were.
+    fn collect_behind(&mut self, assumption: &Acceptance, goal: &Acceptance, known: usize) {
+        let Pursuit { game, left, candidates, refusing, kept, .. } = self;
+        let refusal = Refusal { game, left, assumption, goal };
         let (mut new, mut next) = (known, 0);
         loop {
             let state = if let Some(&state) = self.good.get(new) {
                 new += 1;
                 state
-            } else if let Some(&state) = self.candidates.get(next) {
+            } else if let Some(&state) = candidates.get(next) {
                 next += 1;
                 state
             } else {
                 break;
             };
-            for incoming in self.predecessors.of(state) {
-                let source = incoming.source as usize;
-                if !self.left.contains(source)
-                    || !assumption.open.contains(source)
-                    || self.kept.contains(source)
-                {
+            for &Incoming { source, action } in self.predecessors.of(state) {
+                let index = source as usize;
+                if !left.contains(index) || !assumption.open.contains(index) || kept.contains(index) {
                     continue;
                 }
-                if turn[source].is_system() {
-                    if assumption.accepts(incoming.action) {
-                        continue;
-                    }
+                let is_refused = if game.turn[index].is_system() {
+                    assumption.accepts(action)
                 } else {
-                    if goal.accepts(incoming.action) || self.is_refused.contains(source) {
-                        continue;
-                    }
-                    let refuses = |edge: usize| {
-                        let target = target[edge] as usize;
-                        (assumption.accepts(action[edge]) || !assumption.open.contains(target))
-                            && self.left.contains(target)
-                            && !goal.accepts(action[edge])
-                    };
-                    if self.game.edges_of(incoming.source).any(refuses) {
-                        self.is_refused.insert(source);
-                        self.refused.push(incoming.source);
-                        continue;
-                    }
+                    goal.accepts(action) || refusal.holds(source, &mut refusing[index])
+                };
+                if !is_refused {
+                    kept.insert(index);
+                    candidates.push(source);
                 }
-                self.kept.insert(source);
-                self.candidates.push(incoming.source);
             }
         }
-        self.refused.drain(..).for_each(|state| self.is_refused.set(state as usize, false));
     }
 
     /// Drops the states that cannot be kept without those in `dropped`.
@@ -386,5 +382,40 @@ impl<'g> Pursuit<'g> {
                 }
             }
         }
+    }
+}
+
+/// When a state of the environment cannot belong to an avoidance, whatever else does.
+struct Refusal<'a> {
+    game: &'a Game,
+    left: &'a FixedBitSet,
+    assumption: &'a Acceptance,
+    goal: &'a Acceptance,
+}
+
+impl Refusal<'_> {
+    /// Whether it holds of a state, and which edge is the reason; `edge` is looked at first.
+    fn holds(&self, state: u32, edge: &mut u32) -> bool {
+        if self.lasts(state, *edge) {
+            return true;
+        }
+        let found = self.game.edges_of(state).find(|&edge| self.is_due_to(edge));
+        if let Some(found) = found {
+            *edge = found as u32;
+        }
+        found.is_some()
+    }
+
+    /// Whether the edge that was the reason for an earlier refusal is one again.
+    fn lasts(&self, state: u32, edge: u32) -> bool {
+        (edge as usize) < self.game.edges_of(state).end && self.is_due_to(edge as usize)
+    }
+
+    /// Whether an edge stays in what is left, and accepts the assumption or leads to where it is not open.
+    fn is_due_to(&self, edge: usize) -> bool {
+        let (action, target) = (self.game.action[edge], self.game.target[edge] as usize);
+        self.left.contains(target)
+            && (self.assumption.accepts(action) || !self.assumption.open.contains(target))
+            && !self.goal.accepts(action)
     }
 }

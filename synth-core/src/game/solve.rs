@@ -83,7 +83,7 @@ pub fn solve_ending(game: &Game) -> Solution {
 fn solve_for(game: &Game, ending: bool, threads: usize) -> Solution {
     let predecessors = Predecessors::new(game);
     let assumptions = Acceptance::assumptions(game);
-    let goals = Acceptance::goals(game);
+    let goals = Acceptance::goals(game, threads);
     let mut region = Region::new(game, &predecessors);
     let new = |_| Pursuit::new(game, &predecessors, ending);
     let mut pursuits: Vec<Pursuit<'_>> = (0..threads.min(goals.len())).map(new).collect();

@@ -19,7 +19,7 @@ use crate::controller::{
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::explain::explain;
 use crate::explore::{Explored, Limits, explore};
-use crate::game::{Game, Solution, Strategy, extract, solve_ending, solve_on};
+use crate::game::{Game, Solution, Strategy, extract_on, solve_ending, solve_on};
 use crate::model::{Spec, resolve::resolve};
 use crate::parallel::{share, threads_for};
 use crate::playout::Semantics;
@@ -71,6 +71,8 @@ pub struct Solved<'s> {
     pub solution: Solution,
     /// A winning strategy, once somebody asked for it: controller and warnings are made from the same.
     strategy: Option<Rc<Strategy>>,
+    /// On how many threads it is looked for.
+    threads: usize,
 }
 
 impl Solved<'_> {
@@ -79,7 +81,8 @@ impl Solved<'_> {
         if let Some(known) = &self.strategy {
             return Ok(known.clone());
         }
-        let found = timings.stage("extract", || winning_strategy(&self.explored.game, &self.solution))?;
+        let search = || winning_strategy(&self.explored.game, &self.solution, self.threads);
+        let found = timings.stage("extract", search)?;
         timings.size(Size::of_strategy(&found));
         Ok(self.strategy.insert(Rc::new(found)).clone())
     }
@@ -166,9 +169,10 @@ pub fn play_and_solve<'s>(
 #[must_use]
 pub fn solved<'s>(explored: Explored<'s>, limits: &Limits, timings: &mut Timings) -> Solved<'s> {
     let game = &explored.game;
-    let solution = timings.stage("solve", || solve_on(game, solving_threads(game, limits)));
+    let threads = solving_threads(game, limits);
+    let solution = timings.stage("solve", || solve_on(game, threads));
     timings.size(Size::of_nodes(solution.winning_states()));
-    Solved { explored, solution, strategy: None }
+    Solved { explored, solution, strategy: None, threads }
 }
 
 /// A small game is solved before another thread has begun, and many threads would only wait for memory.
@@ -201,7 +205,8 @@ pub fn play_and_solve_early<'s>(
     let (verdict, part) = timings.stage("search", search)?;
     timings.size(verdict.size);
     if let Some(WinningPart { explored, solution }) = part {
-        let mut solved = Solved { explored, solution, strategy: None };
+        let threads = solving_threads(&explored.game, &options.limits);
+        let mut solved = Solved { explored, solution, strategy: None, threads };
         if solved.strategy(timings)?.endless_run(&solved.explored.game).is_none() {
             return Ok((solved, Some(verdict)));
         }
@@ -318,9 +323,10 @@ pub fn warnings(
     Ok(warnings)
 }
 
-fn winning_strategy(game: &Game, solution: &Solution) -> Result<Strategy, Failure> {
-    let extract =
-        |solution| extract(game, solution).map_err(|error| Failure::Inconsistent(error.to_string()));
+fn winning_strategy(game: &Game, solution: &Solution, threads: usize) -> Result<Strategy, Failure> {
+    let extract = |solution| {
+        extract_on(game, solution, threads).map_err(|error| Failure::Inconsistent(error.to_string()))
+    };
     let strategy = extract(solution)?;
     // Hardly ever: solving the game twice would be a waste otherwise.
     if strategy.endless_run(game).is_some() {

@@ -9,7 +9,7 @@ use proptest::collection::vec;
 use proptest::prelude::{Just, ProptestConfig, Strategy as Strategy_, any, prop_oneof, proptest};
 use synth_core::game::{
     Actions, ActionsBuilder, ExtractError, Game, KeySetsBuilder, Strategy, Turn, YIELD, counter_play,
-    extract, solve, solve_ending,
+    extract, extract_on, solve, solve_ending, solve_on,
 };
 
 /// A state for [`game`].
@@ -66,6 +66,7 @@ pub(crate) fn solved(game: &Game) -> Option<Strategy> {
             assert!(solution.wins(game.initial));
             naive::assert_wins(game, &strategy, false);
             assert_eq!(extract(game, &solve(game)).as_ref(), Ok(&strategy));
+            assert_eq!(extract_on(game, &solve_on(game, 2), 3).as_ref(), Ok(&strategy));
             Some(strategy)
         }
         Err(error) => {
