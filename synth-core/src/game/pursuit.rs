@@ -57,9 +57,10 @@ pub(super) struct Pursuit<'g> {
     kept: FixedBitSet,
     /// The states that were in `kept` at first, or are still.
     candidates: Vec<u32>,
-    /// Per state of the environment: the edge because of which it could not be kept the last time; it is mostly the same one
-    /// the next time. Where there was none yet, the first edge, if there is one.
-    refusing: Vec<u32>,
+    /// Per state of the environment: why it could not be kept the last time; mostly it is the same reason the next time.
+    refusals: Vec<Refusal>,
+    /// What a refusal of now is about: a number of its own for each run and assumption.
+    about: u32,
     /// The states that have been dropped from `kept`, to be looked at.
     dropped: Vec<u32>,
     /// Of an environment state in `left`: its choices that stay in `left` and do not accept the goal. Of a system
@@ -84,7 +85,8 @@ impl<'g> Pursuit<'g> {
             known: Vec::new(),
             kept: FixedBitSet::with_capacity(states),
             candidates: Vec::new(),
-            refusing: game.first[..states].to_vec(),
+            refusals: vec![Refusal::default(); states],
+            about: 0,
             dropped: Vec::new(),
             choices: vec![0; states],
             distance: vec![0; if ending { states } else { 0 }],
@@ -109,8 +111,10 @@ impl<'g> Pursuit<'g> {
         self.attract(goal, region, progress);
         // The assumptions in rotation, until none of them has an avoidance any more.
         let (mut assumption, mut without) = (0, 0);
+        let about = self.about + 1;
         while without < assumptions.len() && !self.left.is_clear() {
             without += 1;
+            self.about = about + assumption as u32;
             let known = self.known[assumption].replace(self.good.len());
             if self.avoid(&assumptions[assumption], goal, known) {
                 self.collect_kept(&assumptions[assumption], progress);
@@ -119,6 +123,7 @@ impl<'g> Pursuit<'g> {
             }
             assumption = (assumption + 1) % assumptions.len();
         }
+        self.about = about + assumptions.len() as u32;
         &self.left
     }
 
@@ -225,7 +230,7 @@ impl<'g> Pursuit<'g> {
             Some(known) if self.good.len() - known < possible / DEARER => {
                 self.collect_behind(assumption, goal, known);
             }
-            _ => self.collect_candidates(assumption, goal),
+            _ => self.collect_candidates(assumption),
         }
         for &state in &self.candidates {
             let mut edges = self.game.edges_of(state);
@@ -240,8 +245,11 @@ impl<'g> Pursuit<'g> {
                     let stays = self.left.contains(target[edge] as usize) && !goal.accepts(action[edge]);
                     stays && !avoids(edge)
                 });
-                if let Some(edge) = refusing {
-                    self.refusing[state as usize] = edge as u32;
+                // If the target is only not kept now, that is no reason for later.
+                if let Some(edge) = refusing
+                    && (assumption.accepts(action[edge]) || !assumption.open.contains(target[edge] as usize))
+                {
+                    self.refusals[state as usize] = Refusal { target: target[edge], about: self.about };
                 }
                 refusing.is_some()
             };
@@ -260,25 +268,29 @@ impl<'g> Pursuit<'g> {
         !self.candidates.is_empty()
     }
 
-    /// Collects in `kept` what can belong to an avoidance: what its last refusal does not speak against.
-    fn collect_candidates(&mut self, assumption: &Acceptance, goal: &Acceptance) {
-        let Pursuit { game, left, candidates, refusing, kept, .. } = self;
-        let refusal = Refusal { game, left, assumption, goal };
+    /// Collects in `kept` what can belong to an avoidance: what no known refusal speaks against.
+    fn collect_candidates(&mut self, assumption: &Acceptance) {
+        let Pursuit { left, candidates, refusals, kept, .. } = self;
         kept.clone_from(left);
         kept.intersect_with(&assumption.open);
         candidates.extend(kept.ones().map(|state| state as u32));
         candidates.retain(|&state| {
-            let index = state as usize;
-            let is_refused = !game.turn[index].is_system() && refusal.lasts(state, refusing[index]);
-            kept.set(index, !is_refused);
+            let is_refused = refusals[state as usize].holds(self.about, left);
+            kept.set(state as usize, !is_refused);
             !is_refused
         });
     }
 
     /// Collects what nothing speaks against at once, but only what leads to states that are good since the first `known` were.
     fn collect_behind(&mut self, assumption: &Acceptance, goal: &Acceptance, known: usize) {
-        let Pursuit { game, left, candidates, refusing, kept, .. } = self;
-        let refusal = Refusal { game, left, assumption, goal };
+        let Pursuit { game, left, candidates, refusals, kept, .. } = self;
+        let Game { target, action: actions, .. } = game;
+        let refuses = |&edge: &usize| {
+            let (action, target) = (actions[edge], target[edge] as usize);
+            left.contains(target)
+                && (assumption.accepts(action) || !assumption.open.contains(target))
+                && !goal.accepts(action)
+        };
         let (mut new, mut next) = (known, 0);
         loop {
             let state = if let Some(&state) = self.good.get(new) {
@@ -297,8 +309,13 @@ impl<'g> Pursuit<'g> {
                 }
                 let is_refused = if game.turn[index].is_system() {
                     assumption.accepts(action)
+                } else if goal.accepts(action) || refusals[index].holds(self.about, left) {
+                    true
+                } else if let Some(edge) = game.edges_of(source).find(refuses) {
+                    refusals[index] = Refusal { target: target[edge], about: self.about };
+                    true
                 } else {
-                    goal.accepts(action) || refusal.holds(source, &mut refusing[index])
+                    false
                 };
                 if !is_refused {
                     kept.insert(index);
@@ -385,37 +402,17 @@ impl<'g> Pursuit<'g> {
     }
 }
 
-/// When a state of the environment cannot belong to an avoidance, whatever else does.
-struct Refusal<'a> {
-    game: &'a Game,
-    left: &'a FixedBitSet,
-    assumption: &'a Acceptance,
-    goal: &'a Acceptance,
+/// Why a state of the environment cannot be kept as long as this target of an edge is left, whatever else is kept: the edge accepts
+/// the assumption, or the assumption is not open there.
+#[derive(Clone, Copy, Default, Debug)]
+struct Refusal {
+    target: u32,
+    about: u32,
 }
 
-impl Refusal<'_> {
-    /// Whether it holds of a state, and which edge is the reason; `edge` is looked at first.
-    fn holds(&self, state: u32, edge: &mut u32) -> bool {
-        if self.lasts(state, *edge) {
-            return true;
-        }
-        let found = self.game.edges_of(state).find(|&edge| self.is_due_to(edge));
-        if let Some(found) = found {
-            *edge = found as u32;
-        }
-        found.is_some()
-    }
-
-    /// Whether the edge that was the reason for an earlier refusal is one again.
-    fn lasts(&self, state: u32, edge: u32) -> bool {
-        (edge as usize) < self.game.edges_of(state).end && self.is_due_to(edge as usize)
-    }
-
-    /// Whether an edge stays in what is left, and accepts the assumption or leads to where it is not open.
-    fn is_due_to(&self, edge: usize) -> bool {
-        let (action, target) = (self.game.action[edge], self.game.target[edge] as usize);
-        self.left.contains(target)
-            && (self.assumption.accepts(action) || !self.assumption.open.contains(target))
-            && !self.goal.accepts(action)
+impl Refusal {
+    /// Whether it holds of a goal and an assumption.
+    fn holds(self, about: u32, left: &FixedBitSet) -> bool {
+        self.about == about && left.contains(self.target as usize)
     }
 }
