@@ -16,8 +16,8 @@ use crate::diagnostic::counted;
 use crate::game::{ActionsBuilder, Game, KeySets, ShortestPaths, Turn, YIELD};
 use crate::model::{Kind, Spec};
 use crate::playout::{EventId, KeyId, PlayError, Playout, Semantics};
-use crate::successors::{Learned, PackedMoves, UNKNOWN_SET, reserve};
-use batch::{Block, Found, Head, LOST, Reader, Target, WON};
+use crate::successors::{Block, Found, Head, Learned, PackedMoves, Reader, UNKNOWN_SET, reserve};
+use batch::{LOST, WON};
 pub(crate) use game_sets::GameSets;
 use std::fmt;
 use std::ops::Range;
@@ -234,13 +234,15 @@ impl Explorer<'_, '_> {
         loop {
             let filled =
                 batch::fill(&mut self.blocks, &self.store, &self.sets.builder, states.clone(), threads);
-            self.learned.clear();
+            self.learned.clear(&self.store.rows);
             let mut narrow = Vec::new();
             let mut mistake = None;
             let heads = self.blocks[..filled].iter().flat_map(Block::heads);
             for (state, _) in states.clone().zip(heads).filter(|(_, head)| head.missed) {
                 match self.store.learn(self.playout, state, &mut narrow, &mut moves) {
-                    Ok(Learned::Moves) => self.learned.add(&self.store, &self.sets.builder, &moves),
+                    Ok(Learned::Moves) => {
+                        batch::add(&mut self.learned, &self.store, &self.sets.builder, &moves);
+                    }
                     Ok(Learned::Narrow) => {}
                     Err((event, error)) => {
                         mistake = Some((state, event, error));
@@ -249,6 +251,7 @@ impl Explorer<'_, '_> {
                 }
             }
             if narrow.is_empty() {
+                self.learned.look_up(&self.store.rows);
                 return (filled, mistake);
             }
             self.store.widen(&narrow);
@@ -257,11 +260,10 @@ impl Explorer<'_, '_> {
 
     /// Numbers what was found and adds it to the graph, up to a state.
     fn merge(&mut self, blocks: &[Block], end: Option<StateId>, limits: &Limits) -> Result<(), ExploreError> {
-        let words = self.store.rows.words();
         let learned = std::mem::take(&mut self.learned);
-        let mut of_learned = Reader::new(&learned, words);
+        let mut of_learned = Reader::new(&learned);
         for block in blocks {
-            let mut of_block = Reader::new(block, words);
+            let mut of_block = Reader::new(block);
             while let Some((head, edges)) = of_block.state() {
                 if end == Some(self.graph.turn.len() as StateId) {
                     return Ok(());
@@ -291,10 +293,7 @@ impl Explorer<'_, '_> {
             open => open,
         };
         for edge in edges {
-            let target = match reader.target(edge) {
-                Target::Known(state) => state,
-                Target::New(hash, row) => self.store.rows.intern(hash, row),
-            };
+            let target = reader.target(&mut self.store.rows);
             let discharged = self.sets.of(edge.discharged, &self.store);
             let action = self.action(edge.event, discharged);
             push(&mut self.graph.action, action);

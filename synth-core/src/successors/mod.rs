@@ -11,7 +11,9 @@
 //! `learn` asks play-out, whose results are the definition. Mistakes of a specification are never tabulated:
 //! where one might show, play-out plays the state.
 
+mod block;
 mod groups;
+mod index;
 mod layout;
 mod learn;
 mod moves;
@@ -21,6 +23,7 @@ mod store;
 mod tables;
 mod trees;
 
+pub(crate) use block::{Block, Found, Head, Reader};
 pub(crate) use layout::Layout;
 pub(crate) use learn::{Learned, learn};
 pub use moves::{Edge, PackedMoves};

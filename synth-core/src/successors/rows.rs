@@ -1,31 +1,35 @@
 //! Packed rows side by side, found by their contents.
 
+use super::index::Index;
 use super::layout::Layout;
-use hashbrown::HashTable;
-use hashbrown::hash_table::Entry;
 
 /// Distinct rows of some words each, numbered in the order in which they came. A row is held in the bytes that its
 /// fields reach into.
 #[derive(Debug)]
 pub(crate) struct PackedRows {
-    words: usize,
-    /// Bytes of a row, and which bits of its last word they hold.
+    /// Per word: at which byte of a row it begins, and which of its bits are held.
+    words: Vec<(usize, u64)>,
+    /// Bytes of a row.
     bytes: usize,
-    last: u64,
     /// The rows, and behind them as many bytes as make reading a whole word possible everywhere.
     values: Vec<u8>,
     count: u32,
-    index: HashTable<u32>,
+    index: Index,
 }
 
 /// Bytes of a word.
 const WORD: usize = size_of::<u64>();
 
 /// The same on every machine and in every run. The upper half of a product of 64 bits depends on all of the word; it is
-/// folded back, as hash tables look at both ends.
+/// folded back, as tables look at both ends.
 #[inline]
 pub(crate) fn hash_row(row: &[u64]) -> u64 {
-    row.iter().fold(0, |hash, &word| mixed(hash, word)).wrapping_mul(0xd6e8_feb8_6659_fd93)
+    hash_words(row.iter().copied())
+}
+
+#[inline]
+fn hash_words(row: impl Iterator<Item = u64>) -> u64 {
+    row.fold(0, mixed).wrapping_mul(0xd6e8_feb8_6659_fd93)
 }
 
 #[inline]
@@ -46,16 +50,25 @@ pub(crate) fn reserve<T>(values: &mut Vec<T>, additional: usize) {
     }
 }
 
+/// The bits that so many bytes hold, 8 at most.
+fn bits(bytes: usize) -> u64 {
+    u64::MAX.checked_shr(u64::BITS - 8 * bytes.min(WORD) as u32).unwrap_or(0)
+}
+
 impl PackedRows {
-    /// For rows of this layout.
-    pub(crate) fn new(layout: &Layout) -> Self {
-        let (words, bytes) = (layout.words(), layout.bytes());
-        let last = u64::MAX >> (u64::BITS as usize - 8 * (bytes - (words - 1) * WORD));
-        PackedRows { words, bytes, last, values: vec![0; WORD], count: 0, index: HashTable::new() }
+    /// For rows of so many bytes. With a tail there is one more word, of which so many bytes are held.
+    pub(crate) fn new(bytes: usize, tail: usize) -> Self {
+        let mut words: Vec<(usize, u64)> =
+            (0..bytes).step_by(WORD).map(|start| (start, bits(bytes - start))).collect();
+        if tail > 0 {
+            words.push((bytes, bits(tail)));
+        }
+        PackedRows { words, bytes: bytes + tail, values: vec![0; WORD], count: 0, index: Index::default() }
     }
 
+    /// Words of a row.
     pub(crate) fn words(&self) -> usize {
-        self.words
+        self.words.len()
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -66,49 +79,54 @@ impl PackedRows {
     #[inline]
     pub(crate) fn get<'r>(&self, id: u32, row: &'r mut Vec<u64>) -> &'r [u64] {
         row.clear();
-        row.extend((0..self.words).map(|word| self.word(id, word)));
+        row.extend(self.row(id));
         row
     }
 
     #[inline]
-    fn word(&self, id: u32, word: usize) -> u64 {
-        let start = id as usize * self.bytes + word * WORD;
-        let bytes = self.values[start..].first_chunk().map_or(0, |bytes| u64::from_le_bytes(*bytes));
-        if word + 1 == self.words { bytes & self.last } else { bytes }
+    fn row(&self, id: u32) -> impl Iterator<Item = u64> {
+        let row = &self.values[id as usize * self.bytes..];
+        self.words.iter().map(|&(start, bits)| {
+            let word = row[start..].first_chunk().map_or(0, |bytes| u64::from_le_bytes(*bytes));
+            word & bits
+        })
     }
 
     #[inline]
     fn is(&self, id: u32, row: &[u64]) -> bool {
-        row.iter().enumerate().all(|(word, &value)| self.word(id, word) == value)
+        self.row(id).zip(row).all(|(word, &wanted)| word == wanted)
     }
 
     fn hash(&self, id: u32) -> u64 {
-        let hash = (0..self.words).fold(0, |hash, word| mixed(hash, self.word(id, word)));
-        hash.wrapping_mul(0xd6e8_feb8_6659_fd93)
+        hash_words(self.row(id))
     }
 
-    /// The id of a row with this hash, if it is there.
-    #[inline]
-    pub(crate) fn find(&self, hash: u64, row: &[u64]) -> Option<u32> {
-        self.index.find(hash, |&id| self.is(id, row)).copied()
+    /// For each of many rows, side by side with their hashes, its id or `none`, into a cleared list.
+    pub(crate) fn find_all(&self, hashes: &[u64], rows: &[u64], none: u32, found: &mut Vec<u32>) {
+        self.index.fetch(hashes);
+        found.clear();
+        let rows = rows.chunks_exact(self.words());
+        let ids = hashes.iter().zip(rows).map(|(&hash, row)| self.index.find(hash, |id| self.is(id, row)));
+        found.extend(ids.map(|id| id.unwrap_or(none)));
+    }
+
+    /// Prepares for interning rows with these hashes.
+    pub(crate) fn fetch(&self, hashes: &[u64]) {
+        self.index.fetch(hashes);
     }
 
     /// The id of a row with this hash, new or not.
     pub(crate) fn intern(&mut self, hash: u64, row: &[u64]) -> u32 {
-        debug_assert_eq!(row.len(), self.words);
-        if self.index.is_empty() && self.count > 0 {
+        debug_assert_eq!(row.len(), self.words());
+        if !self.index.has_room() {
             self.index_all();
         }
-        // The rest of `self` is read while the index is written.
-        let mut index = std::mem::take(&mut self.index);
-        let id = match index.entry(hash, |&id| self.is(id, row), |&id| self.hash(id)) {
-            Entry::Occupied(known) => *known.get(),
-            Entry::Vacant(place) => *place.insert(self.count).get(),
-        };
-        self.index = index;
-        if id == self.count {
-            self.push(row);
+        if let Some(id) = self.index.find(hash, |id| self.is(id, row)) {
+            return id;
         }
+        let id = self.count;
+        self.index.insert(hash, id);
+        self.push(row);
         id
     }
 
@@ -117,32 +135,41 @@ impl PackedRows {
         let start = self.values.len() - WORD;
         reserve(&mut self.values, self.bytes);
         self.values.resize(start + self.bytes + WORD, 0);
-        for (word, &value) in row.iter().enumerate() {
-            if let Some(place) = self.values[start + word * WORD..].first_chunk_mut() {
+        // In their order: what a word has beyond its bits, the next one overwrites.
+        for (&(offset, _), &value) in self.words.iter().zip(row) {
+            if let Some(place) = self.values[start + offset..].first_chunk_mut() {
                 *place = value.to_le_bytes();
             }
         }
         self.count += 1;
     }
 
+    /// Makes the index anew, with room for more rows. The old one goes first: rows are read in their order, and say it all.
     fn index_all(&mut self) {
-        let mut index = HashTable::with_capacity(self.len());
-        for id in 0..self.count {
-            index.insert_unique(self.hash(id), id, |&id| self.hash(id));
-        }
+        self.index = Index::default();
+        let mut index = Index::with_room_for(self.len() + 1);
+        (0..self.count).for_each(|id| index.insert(self.hash(id), id));
         self.index = index;
     }
 
-    /// All rows with their fields where another layout has them, which is wider.
+    /// All rows with their fields where another layout has them, which is wider. Tails stay.
     pub(crate) fn converted(self, from: &Layout, to: &Layout) -> PackedRows {
-        let mut rows = PackedRows::new(to);
+        let tail = self.bytes - from.bytes();
+        let mut rows = PackedRows::new(to.bytes(), tail);
         rows.values.reserve_exact(self.len() * rows.bytes);
         // The old index goes before the new one comes.
-        let old = PackedRows { index: HashTable::new(), ..self };
-        let (mut narrow, mut wide) = (Vec::new(), vec![0; to.words()]);
+        let old = PackedRows { index: Index::default(), ..self };
+        let runs = runs(from, to);
+        let (mut narrow, mut wide) = (Vec::new(), vec![0; rows.words()]);
         for id in 0..old.count {
+            let narrow = old.get(id, &mut narrow);
             wide.fill(0);
-            to.convert(from, old.get(id, &mut narrow), &mut wide);
+            for run in &runs {
+                wide[run.to] |= (narrow[run.from] & run.bits).rotate_left(run.shift);
+            }
+            if tail > 0 {
+                wide[to.words()] = narrow[from.words()];
+            }
             rows.push(&wide);
         }
         drop(old);
@@ -153,12 +180,11 @@ impl PackedRows {
     /// These rows, which are numbered anew in this order.
     pub(crate) fn selected(&self, ids: &[u32]) -> PackedRows {
         let mut rows = PackedRows {
-            words: self.words,
+            words: self.words.clone(),
             bytes: self.bytes,
-            last: self.last,
             values: vec![0; WORD],
             count: 0,
-            index: HashTable::new(),
+            index: Index::default(),
         };
         rows.values.reserve_exact(ids.len() * self.bytes);
         let mut row = Vec::new();
@@ -170,19 +196,50 @@ impl PackedRows {
 
     /// Gives up what only finding takes. It is made anew if another row comes.
     pub(crate) fn close(&mut self) {
-        self.index = HashTable::new();
+        self.index = Index::default();
         self.values.shrink_to_fit();
     }
 
     /// Bytes held.
     pub(crate) fn memory(&self) -> usize {
-        self.values.capacity() + self.index.allocation_size()
+        self.values.capacity() + self.index.memory()
     }
+}
+
+/// Bits of one word that go to another together.
+struct Run {
+    from: usize,
+    to: usize,
+    bits: u64,
+    /// By how many bits to the left, around the end.
+    shift: u32,
+}
+
+/// Where one layout has the bits of another. Few fields change between two layouts, so there are few runs.
+fn runs(from: &Layout, to: &Layout) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    let (mut one, mut row) = (vec![0; from.words()], vec![0; to.words()]);
+    for place in 0..from.words() * u64::BITS as usize {
+        let (word, bit) = (place / u64::BITS as usize, 1 << (place % u64::BITS as usize));
+        one[word] = bit;
+        row.fill(0);
+        to.convert(from, &one, &mut row);
+        one[word] = 0;
+        let Some(target) = row.iter().position(|&word| word != 0) else { continue };
+        let shift = (row[target].trailing_zeros() + u64::BITS - bit.trailing_zeros()) % u64::BITS;
+        match runs.last_mut() {
+            Some(run) if (run.from, run.to, run.shift) == (word, target, shift) => run.bits |= bit,
+            _ => runs.push(Run { from: word, to: target, bits: bit, shift }),
+        }
+    }
+    runs
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::collection::vec;
+    use proptest::prelude::{any, prop_assert_eq, proptest};
 
     fn layout(widths: &[u32]) -> Layout {
         let widest: Vec<(u32, u32)> =
@@ -190,20 +247,28 @@ mod tests {
         Layout::new(widths.len()).widened(&widest)
     }
 
+    /// What is found of rows of two words, 9 for nothing.
+    fn found(rows: &PackedRows, wanted: &[[u64; 2]]) -> Vec<u32> {
+        let hashes: Vec<u64> = wanted.iter().map(|row| hash_row(row)).collect();
+        let mut found = Vec::new();
+        rows.find_all(&hashes, wanted.as_flattened(), 9, &mut found);
+        found
+    }
+
     #[test]
     fn equal_rows_are_one() {
-        let mut rows = PackedRows::new(&layout(&[32, 32, 3]));
+        let mut rows = PackedRows::new(layout(&[32, 32, 3]).bytes(), 0);
         let mut intern = |row: [u64; 2]| rows.intern(hash_row(&row), &row);
         assert_eq!([[u64::MAX, 2], [2, 1], [u64::MAX, 2]].map(&mut intern), [0, 1, 0]);
         assert_eq!((rows.len(), rows.bytes), (2, 9));
         assert_eq!([0, 1].map(|id| rows.get(id, &mut Vec::new()).to_vec()), [[u64::MAX, 2], [2, 1]]);
-        assert_eq!(rows.find(hash_row(&[3, 3]), &[3, 3]), None);
+        assert_eq!(found(&rows, &[[2, 1], [3, 3]]), [1, 9]);
     }
 
     #[test]
     fn rows_are_found_after_all_that_happens_to_them() {
         let (narrow, wide) = (layout(&[3, 7]), layout(&[3, 31, 32]));
-        let mut rows = PackedRows::new(&narrow);
+        let mut rows = PackedRows::new(narrow.bytes(), 0);
         let all = || 0..1000_u64;
         all().for_each(|row| assert_eq!(rows.intern(hash_row(&[row]), &[row]), row as u32));
         rows.close();
@@ -214,5 +279,41 @@ mod tests {
             assert_eq!(rows.intern(hash_row(&row), &row), row[0] as u32);
         }
         assert_eq!((rows.len(), rows.bytes), (1000, 12));
+    }
+
+    #[test]
+    fn tails_stay_where_they_are() {
+        let (narrow, wide) = (layout(&[5, 6]), layout(&[5, 9]));
+        let mut rows = PackedRows::new(narrow.bytes(), 3);
+        let all = [[0, 0], [0x7ff, 0xff_ffff], [1, 0x12_3456], [1, 0x12_3457]];
+        let ids = all.map(|row| rows.intern(hash_row(&row), &row));
+        assert_eq!(ids, [0, 1, 2, 3]);
+        assert_eq!((rows.len(), rows.bytes), (4, 5));
+        assert_eq!(found(&rows, &[all[3], all[1], [2, 0]]), [3, 1, 9]);
+        let rows = rows.converted(&narrow, &wide);
+        assert_eq!(found(&rows, &all), [0, 1, 2, 3]);
+    }
+
+    proptest! {
+        /// A layout says itself where its fields go.
+        #[test]
+        fn runs_do_what_layouts_say(
+            widths in vec((0..20_u32, 0..4_u32), 1..20),
+            values in vec(any::<u32>(), 20),
+        ) {
+            let narrow: Vec<u32> = widths.iter().map(|width| width.0).collect();
+            let wide: Vec<u32> = widths.iter().map(|width| width.0 + width.1).collect();
+            let (from, to) = (Layout::of_widths(&narrow), Layout::of_widths(&wide));
+            let mut row = vec![0; from.words()];
+            for (field, &value) in (0..narrow.len()).zip(&values) {
+                from.field(field).write(&mut row, value & ((1 << narrow[field]) - 1));
+            }
+            let mut expect = vec![0; to.words()];
+            to.convert(&from, &row, &mut expect);
+            let mut rows = PackedRows::new(from.bytes(), 0);
+            rows.intern(hash_row(&row), &row);
+            let rows = rows.converted(&from, &to);
+            prop_assert_eq!(rows.row(0).collect::<Vec<u64>>(), expect);
+        }
     }
 }

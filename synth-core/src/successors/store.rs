@@ -22,7 +22,7 @@ impl StateStore {
     pub fn new(playout: &Playout<'_>, initial: &Config) -> Self {
         let mut successors = Successors::new(playout);
         let row = successors.pack_first(playout, initial);
-        let mut rows = PackedRows::new(successors.layout());
+        let mut rows = PackedRows::new(successors.layout().bytes(), 0);
         rows.intern(hash_row(&row), &row);
         StateStore { successors, rows }
     }
@@ -177,7 +177,7 @@ impl StateStore {
     /// Packs all rows anew, with room for these values of fields.
     pub(crate) fn widen(&mut self, narrow: &[(u32, u32)]) {
         let layout = self.successors.widened(narrow);
-        let empty = PackedRows::new(&layout);
+        let empty = PackedRows::new(layout.bytes(), 0);
         let rows = std::mem::replace(&mut self.rows, empty);
         self.rows = rows.converted(self.successors.layout(), &layout);
         self.successors.set_layout(layout);

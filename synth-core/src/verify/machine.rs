@@ -1,5 +1,6 @@
 //! The controller, made ready for look-ups by what play-out calls its events.
 
+use super::nodes::Control;
 use crate::controller::{Controller, SuperStep};
 use crate::playout::{EventId, Playout};
 use rustc_hash::FxHashMap;
@@ -61,10 +62,22 @@ impl<'a> Machine<'a> {
         }
     }
 
+    /// What no state and no position of the controller is beyond.
+    pub(super) fn most(&self) -> Control {
+        let lengths = self.controller.super_steps.iter().map(|step| step.events.len() as u32);
+        let longest = lengths.max().unwrap_or(0);
+        Control { state: self.controller.states.saturating_sub(1), position: longest.saturating_sub(1) }
+    }
+
     /// The super step that is due in a state.
     pub(super) fn due(&self, state: u32) -> Option<SuperStep<'a>> {
         let row = self.due[state as usize];
         (row != NONE).then(|| self.controller.super_steps.row(row as usize))
+    }
+
+    /// The events that a state accepts, to be asked for one after the other.
+    pub(super) fn accepts(&self, state: u32) -> Accepts<'_> {
+        Accepts { letters: &self.letters, rows: self.rows_of(state), next: 0 }
     }
 
     fn rows_of(&self, state: u32) -> &[(u32, u32)] {
@@ -77,14 +90,6 @@ impl<'a> Machine<'a> {
         Some(&self.controller.events[event as usize].text)
     }
 
-    /// The state behind an event of play-out, if the controller accepts it.
-    pub(super) fn target(&self, state: u32, event: EventId) -> Option<u32> {
-        let (wanted, _) = *self.letters.get(event as usize)?;
-        let rows = self.rows_of(state);
-        let row = rows.binary_search_by_key(&wanted, |&(event, _)| event).ok()?;
-        Some(rows[row].1)
-    }
-
     pub(super) fn command_text(&self, command: u32) -> &'a str {
         &self.controller.commands[command as usize].text
     }
@@ -92,5 +97,25 @@ impl<'a> Machine<'a> {
     /// Whether an event of play-out is this command.
     pub(super) fn is_command(&self, event: EventId, command: u32) -> bool {
         self.letters.get(event as usize).is_some_and(|&(_, letter)| letter == command)
+    }
+}
+
+/// What a state accepts. Events mostly come in the order of their texts, as its rows do.
+pub(super) struct Accepts<'m> {
+    letters: &'m [(u32, u32)],
+    rows: &'m [(u32, u32)],
+    next: usize,
+}
+
+impl Accepts<'_> {
+    /// The state behind an event of play-out, if the controller accepts it.
+    pub(super) fn target(&mut self, event: EventId) -> Option<u32> {
+        let &(wanted, _) = self.letters.get(event as usize)?;
+        if self.rows.get(self.next).is_none_or(|&(event, _)| event != wanted) {
+            self.next = self.rows.binary_search_by_key(&wanted, |&(event, _)| event).ok()?;
+        }
+        let (_, target) = self.rows[self.next];
+        self.next += 1;
+        Some(target)
     }
 }

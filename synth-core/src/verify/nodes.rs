@@ -1,8 +1,7 @@
 //! The nodes of the product found so far, packed.
 
-use crate::intern::Rows;
 use crate::playout::{Config, EventId, KeyId, PlayError, Playout};
-use crate::successors::{Learned, PackedMoves, SetId, Successors, learn};
+use crate::successors::{Learned, PackedMoves, PackedRows, SetId, Successors, hash_row, learn};
 
 /// Where a controller is: its state, and the next event of the super step that is due there.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -11,56 +10,49 @@ pub(super) struct Control {
     pub(super) position: u32,
 }
 
-impl Control {
-    pub(super) fn word(self) -> u64 {
-        u64::from(self.state) << 32 | u64::from(self.position)
-    }
-
-    fn of_word(word: u64) -> Self {
-        Control { state: (word >> 32) as u32, position: word as u32 }
-    }
-}
-
-/// A node's row is that of its state of the specification, with one more word for the controller.
+/// A node's row is that of its state of the specification, with one more word for the controller, of which no more bytes are
+/// held than controllers like this take.
 pub(super) struct Nodes {
     pub(super) successors: Successors,
-    rows: Rows<u64>,
+    pub(super) rows: PackedRows,
+    /// The bits of the last word that hold the controller's state; the position is above them.
+    state_bits: u32,
+}
+
+/// Bits of numbers up to this one.
+fn bits(most: u32) -> u32 {
+    u32::BITS - most.leading_zeros()
 }
 
 impl Nodes {
-    /// Holds the initial node, which is 0.
-    pub(super) fn new(playout: &Playout<'_>, config: &Config, control: Control) -> Self {
+    /// Holds the initial node, which is 0. No controller's state and position are beyond those of `most`.
+    pub(super) fn new(playout: &Playout<'_>, config: &Config, control: Control, most: Control) -> Self {
         let mut successors = Successors::new(playout);
         let mut row = successors.pack_first(playout, config);
-        row.push(control.word());
-        let mut rows = Rows::new(row.len());
-        rows.intern(&row);
-        Nodes { successors, rows }
+        let state_bits = bits(most.state);
+        let tail = (state_bits + bits(most.position)).div_ceil(u8::BITS).max(1);
+        let rows = PackedRows::new(successors.layout().bytes(), tail as usize);
+        let mut nodes = Nodes { successors, rows, state_bits };
+        row.push(nodes.word(control));
+        nodes.rows.intern(hash_row(&row), &row);
+        nodes
     }
 
     pub(super) fn len(&self) -> usize {
         self.rows.len()
     }
 
-    /// Words of a row.
-    pub(super) fn words(&self) -> usize {
-        self.rows.width()
+    /// The last word of a node's row.
+    pub(super) fn word(&self, control: Control) -> u64 {
+        u64::from(control.position) << self.state_bits | u64::from(control.state)
     }
 
     /// The row of the state, and where the controller is.
-    pub(super) fn get(&self, node: u32) -> (&[u64], Control) {
-        let (control, state) = self.rows.get(node).split_last().unwrap_or((&0, &[]));
-        (state, Control::of_word(*control))
-    }
-
-    /// The node with this row, if it is known.
-    pub(super) fn find(&self, row: &[u64]) -> Option<u32> {
-        self.rows.find(row)
-    }
-
-    /// The node with this row, new or not.
-    pub(super) fn intern(&mut self, row: &[u64]) -> u32 {
-        self.rows.intern(row)
+    pub(super) fn get<'r>(&self, node: u32, row: &'r mut Vec<u64>) -> (&'r [u64], Control) {
+        let (&word, state) = self.rows.get(node, row).split_last().unwrap_or((&0, &[]));
+        let position = word >> self.state_bits;
+        let control = word ^ position << self.state_bits;
+        (state, Control { state: control as u32, position: position as u32 })
     }
 
     /// The moves of a node's state, asked of play-out where the tables do not give them. Values that rows have no room for are
@@ -72,9 +64,9 @@ impl Nodes {
         narrow: &mut Vec<(u32, u32)>,
         moves: &mut PackedMoves,
     ) -> Result<Learned, (Option<EventId>, PlayError)> {
-        let words = self.words();
-        let row = &self.rows.get(node)[..words - 1];
-        learn(&mut self.successors, playout, row, narrow, moves)
+        let mut row = Vec::new();
+        let (state, _) = self.get(node, &mut row);
+        learn(&mut self.successors, playout, state, narrow, moves)
     }
 
     /// The keys of a set, ascending.
@@ -84,25 +76,16 @@ impl Nodes {
 
     /// The set of the keys that are open in a node.
     pub(super) fn open_keys(&mut self, node: u32) -> SetId {
-        let words = self.words();
-        self.successors.open_set(&self.rows.get(node)[..words - 1])
+        let mut row = Vec::new();
+        let (state, _) = self.get(node, &mut row);
+        self.successors.open_set(state)
     }
 
     /// Packs all rows anew, with room for these values of fields.
     pub(super) fn widen(&mut self, narrow: &[(u32, u32)]) {
-        let old = self.successors.layout().clone();
         let layout = self.successors.widened(narrow);
-        let mut rows = Rows::new(layout.words() + 1);
-        let mut row = Vec::new();
-        for node in 0..self.len() as u32 {
-            let (state, control) = self.get(node);
-            row.clear();
-            row.resize(layout.words(), 0);
-            layout.convert(&old, state, &mut row);
-            row.push(control.word());
-            rows.intern(&row);
-        }
-        self.rows = rows;
+        let rows = std::mem::replace(&mut self.rows, PackedRows::new(0, 0));
+        self.rows = rows.converted(self.successors.layout(), &layout);
         self.successors.set_layout(layout);
     }
 }

@@ -1,7 +1,7 @@
 //! The product of controller and specification, breadth first.
 
-use super::batch::{BATCH, Block, Found, Head, Reader, Target, fill};
-use super::graph::Graph;
+use super::batch::{BATCH, add, fill};
+use super::graph::{Graph, Rest};
 use super::machine::Machine;
 use super::nodes::{Control, Nodes};
 use super::rules::{Step, steps};
@@ -9,7 +9,7 @@ use super::{Refutation, VerifyError};
 use crate::controller::Controller;
 use crate::model::{Kind, Spec};
 use crate::playout::{EventId, KeyId, Playout, Semantics};
-use crate::successors::{Learned, PackedMoves, SetId, UNKNOWN_SET};
+use crate::successors::{Block, Found, Head, Learned, PackedMoves, Reader, SetId, UNKNOWN_SET};
 use std::ops::Range;
 
 /// Edges have `u32` offsets; one node adds fewer than the rest.
@@ -38,9 +38,9 @@ impl<'s> Product<'s> {
         let mut playout = Playout::new(spec, semantics).map_err(unplayed)?;
         let config = playout.initial().map_err(unplayed)?;
         let control = Control { state: controller.initial, position: 0 };
-        let nodes = Nodes::new(&playout, &config, control);
-        let product = Product { playout, nodes, graph: Graph::new() };
         let machine = Machine::new(controller);
+        let nodes = Nodes::new(&playout, &config, control, machine.most());
+        let product = Product { playout, nodes, graph: Graph::new() };
         let explorer =
             Explorer { product, machine, blocks: Vec::new(), looked_at_again: Block::default(), most_nodes };
         let product = explorer.run(threads)?;
@@ -133,14 +133,14 @@ impl<'s> Explorer<'_, 's> {
     fn find(&mut self, batch: &Range<u32>, threads: usize) -> (usize, Option<End>) {
         let Explorer { product, machine, blocks, looked_at_again: again, .. } = self;
         let mut moves = PackedMoves::default();
-        let mut found: Vec<Step> = Vec::new();
+        let (mut found, mut row): (Vec<Step>, _) = Default::default();
         loop {
             let filled = fill(blocks, &product.nodes, machine, batch.clone(), threads);
-            again.clear();
+            again.clear(&product.nodes.rows);
             let mut narrow = Vec::new();
             let mut end = None;
             let heads = blocks[..filled].iter().flat_map(Block::heads);
-            for (node, _) in batch.clone().zip(heads).filter(|(_, head)| head.again) {
+            for (node, _) in batch.clone().zip(heads).filter(|(_, head)| head.missed) {
                 match product.nodes.learn(&mut product.playout, node, &mut narrow, &mut moves) {
                     Ok(Learned::Moves) => {}
                     Ok(Learned::Narrow) => continue,
@@ -150,16 +150,17 @@ impl<'s> Explorer<'_, 's> {
                     }
                 }
                 machine.keep_up(&product.playout);
-                let (_, control) = product.nodes.get(node);
+                let (_, control) = product.nodes.get(node, &mut row);
                 if let Err(fault) = steps(machine, control, &moves, &mut found) {
                     let (event, reason) = fault.reason(machine, control, &product.playout);
                     let play = product.play_and(node, event);
                     end = Some((node, VerifyError::Refuted(Refutation { reason, play, cycle: Vec::new() })));
                     break;
                 }
-                again.add(&product.nodes, &moves, &found);
+                add(again, &product.nodes, &moves, &found);
             }
             if narrow.is_empty() {
+                again.look_up(&product.nodes.rows);
                 return (filled, end);
             }
             product.nodes.widen(&narrow);
@@ -168,11 +169,10 @@ impl<'s> Explorer<'_, 's> {
 
     /// Numbers what was found and adds it to the graph, up to a node.
     fn merge(&mut self, blocks: &[Block], again: &Block, end: Option<u32>) -> Result<(), VerifyError> {
-        let words = self.product.nodes.words();
-        let mut of_again = Reader::new(again, words);
+        let mut of_again = Reader::new(again);
         for block in blocks {
-            let mut of_block = Reader::new(block, words);
-            while let Some((head, edges)) = of_block.node() {
+            let mut of_block = Reader::new(block);
+            while let Some((head, edges)) = of_block.state() {
                 let Graph { open, target, .. } = &self.product.graph;
                 if self.product.nodes.len() > self.most_nodes || target.len() > MOST_EDGES {
                     return Err(VerifyError::TooLarge(self.most_nodes));
@@ -180,8 +180,8 @@ impl<'s> Explorer<'_, 's> {
                 if end == Some(open.len() as u32) {
                     return Ok(());
                 }
-                if head.again {
-                    if let Some((head, edges)) = of_again.node() {
+                if head.missed {
+                    if let Some((head, edges)) = of_again.state() {
                         self.add(head, edges, &mut of_again);
                     }
                 } else {
@@ -195,14 +195,11 @@ impl<'s> Explorer<'_, 's> {
     fn add(&mut self, head: Head, edges: &[Found], reader: &mut Reader<'_>) {
         let Product { nodes, graph, .. } = &mut self.product;
         for edge in edges {
-            let target = match reader.target(edge) {
-                Target::Known(node) => node,
-                Target::New(row) => nodes.intern(row),
-            };
+            let target = reader.target(&mut nodes.rows);
             graph.add_edge(edge.event, edge.discharged, target);
         }
         let open = if head.open == UNKNOWN_SET { nodes.open_keys(graph.nodes() as u32) } else { head.open };
-        graph.add_node(open, head.rest);
+        graph.add_node(open, Rest { environment: head.turn.is_environment(), silent: head.silent });
     }
 }
 

@@ -123,11 +123,12 @@ fn wait(
         }
         Turn::SystemCommitted | Turn::SystemUrgent => return Err(Fault::Waits),
         _ => {
+            let mut accepts = machine.accepts(control.state);
             for (index, edge) in moves.edges().iter().enumerate() {
                 if edge.end == Some(Turn::Lost) {
                     return Err(Fault::Lost(edge.event));
                 }
-                let Some(state) = machine.target(control.state, edge.event) else {
+                let Some(state) = accepts.target(edge.event) else {
                     return Err(Fault::Refuses(edge.event));
                 };
                 if edge.end.is_none() {
