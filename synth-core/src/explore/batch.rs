@@ -7,7 +7,7 @@
 
 use crate::game::{KeySetsBuilder, Turn};
 use crate::parallel;
-use crate::successors::{Block, Found, PackedMoves, StateId, StateStore, UNKNOWN_SET};
+use crate::successors::{Block, Found, PackedMoves, StateId, StateStore};
 use std::ops::Range;
 
 /// Fewer states are not worth another thread.
@@ -29,7 +29,7 @@ pub(super) fn fill(
 }
 
 fn fill_one(block: &mut Block, store: &StateStore, sets: &KeySetsBuilder, states: Range<StateId>) {
-    block.clear(&store.rows);
+    block.clear(&store.rows, sets.len());
     let (mut moves, mut row) = (std::mem::take(&mut block.moves), std::mem::take(&mut block.row));
     for state in states {
         if store.successors.moves_and_keys(store.rows.get(state, &mut row), &mut moves).is_ok() {
@@ -52,5 +52,5 @@ pub(super) fn add(block: &mut Block, store: &StateStore, sets: &KeySetsBuilder, 
             Some(_) => block.add_end(found, LOST),
         }
     }
-    block.push(moves.turn, moves.silent, sets.find_bits(moves.open_keys()).unwrap_or(UNKNOWN_SET));
+    block.push(moves, sets.find_bits(moves.open_keys()));
 }

@@ -16,7 +16,7 @@ use crate::diagnostic::counted;
 use crate::game::{ActionsBuilder, Game, KeySets, ShortestPaths, Turn, YIELD};
 use crate::model::{Kind, Spec};
 use crate::playout::{EventId, KeyId, PlayError, Playout, Semantics};
-use crate::successors::{Block, Found, Head, Learned, PackedMoves, Reader, UNKNOWN_SET, reserve};
+use crate::successors::{Block, Found, Head, Learned, PackedMoves, Reader, reserve};
 use batch::{LOST, WON};
 pub(crate) use game_sets::GameSets;
 use std::fmt;
@@ -158,8 +158,6 @@ pub fn explore_with(playout: &mut Playout<'_>, limits: &Limits) -> Result<(State
         sets: GameSets::default(),
         actions: ActionsBuilder::default(),
         action_of: Vec::new(),
-        row: Vec::new(),
-        open: Vec::new(),
         blocks: Vec::new(),
         learned: Block::default(),
         buffers: 0,
@@ -196,9 +194,6 @@ struct Explorer<'p, 's> {
     actions: ActionsBuilder,
     /// Per event, from 1 on, and for a yield: what it discharged last, and the action that this is.
     action_of: Vec<Option<(u32, u32)>>,
-    /// A state, and its open keys.
-    row: Vec<u64>,
-    open: Vec<u64>,
     /// The batch: what the tables gave, and what had to be learned.
     blocks: Vec<Block>,
     learned: Block,
@@ -234,7 +229,7 @@ impl Explorer<'_, '_> {
         loop {
             let filled =
                 batch::fill(&mut self.blocks, &self.store, &self.sets.builder, states.clone(), threads);
-            self.learned.clear(&self.store.rows);
+            self.learned.clear(&self.store.rows, self.sets.builder.len());
             let mut narrow = Vec::new();
             let mut mistake = None;
             let heads = self.blocks[..filled].iter().flat_map(Block::heads);
@@ -283,15 +278,7 @@ impl Explorer<'_, '_> {
     }
 
     fn add(&mut self, head: Head, edges: &[Found], reader: &mut Reader<'_>) {
-        let open = match head.open {
-            UNKNOWN_SET => {
-                let state = self.graph.turn.len() as StateId;
-                let row = self.store.rows.get(state, &mut self.row);
-                self.store.successors.open_keys(row, &mut self.open);
-                self.sets.builder.intern_bits(&self.open)
-            }
-            open => open,
-        };
+        let open = reader.open(head, |keys| self.sets.builder.intern_bits(keys));
         for edge in edges {
             let target = reader.target(&mut self.store.rows);
             let discharged = self.sets.of(edge.discharged, &self.store);

@@ -4,16 +4,12 @@
 //! leads there, and numbered when the block is read, in the order of its edges. That is as if each edge had been followed
 //! when it was found.
 
-use super::UNKNOWN_SET;
 use super::index::Index;
 use super::moves::PackedMoves;
-use super::rows::{PackedRows, hash_row};
+use super::rows::{PackedRows, WINDOW, hash_row};
 use super::sets::SetId;
 use crate::game::Turn;
 use crate::playout::EventId;
-
-/// So many rows are looked up at a time.
-const WINDOW: usize = 256;
 
 /// Where an edge leads before its row was looked up, or when it was not found.
 const NONE: u32 = u32::MAX;
@@ -25,8 +21,8 @@ pub(crate) struct Head {
     pub(crate) silent: bool,
     /// Nothing is known: it must be looked at again.
     pub(crate) missed: bool,
-    /// The set of its open keys, or [`UNKNOWN_SET`].
-    pub(crate) open: SetId,
+    /// The set of its open keys, for [`Reader::open`].
+    open: SetId,
     /// Behind its last edge.
     end: u32,
 }
@@ -46,14 +42,73 @@ pub(crate) struct Block {
     /// Per edge: the number of a row that was known, or behind how many were known, that of a new one.
     targets: Vec<u32>,
     known: u32,
-    /// The new rows in the order in which edges lead there, and their hashes.
-    rows: Vec<u64>,
-    hashes: Vec<u64>,
-    index: Index,
+    /// The new rows in the order in which edges lead there.
+    new: New,
+    /// The sets of open keys that had no number, in the order of the states, a bit for each key; and how many sets had one.
+    new_sets: New,
+    known_sets: SetId,
     waiting: Waiting,
     /// Room to find moves, and a row.
     pub(crate) moves: PackedMoves,
     pub(crate) row: Vec<u64>,
+}
+
+/// Distinct rows that have no number yet.
+#[derive(Debug, Default)]
+struct New {
+    /// Words of a row.
+    length: usize,
+    rows: Vec<u64>,
+    hashes: Vec<u64>,
+    index: Index,
+}
+
+impl New {
+    fn clear(&mut self) {
+        self.rows.clear();
+        self.hashes.clear();
+        self.index.clear();
+    }
+
+    /// Which of these a row is. Rows may become longer: words that were left out are 0.
+    fn intern(&mut self, hash: u64, row: &[u64]) -> u32 {
+        if self.length != row.len() {
+            self.lengthen(row.len());
+        }
+        let New { rows, hashes, index, .. } = self;
+        let is = |at: u32| rows[at as usize * row.len()..].iter().zip(row).all(|(one, other)| one == other);
+        if let Some(at) = index.find(hash, is) {
+            return at;
+        }
+        if !index.has_room() {
+            *index = Index::with_room_for(hashes.len() + 1);
+            (0..).zip(&*hashes).for_each(|(at, &hash)| index.insert(hash, at));
+        }
+        let at = hashes.len() as u32;
+        index.insert(hash, at);
+        hashes.push(hash);
+        rows.extend_from_slice(row);
+        at
+    }
+
+    #[cold]
+    fn lengthen(&mut self, length: usize) {
+        debug_assert!(length > self.length || self.rows.is_empty());
+        let mut longer = Vec::with_capacity(self.hashes.len() * length);
+        for row in self.rows.chunks(self.length.max(1)) {
+            longer.extend_from_slice(row);
+            longer.resize(longer.len() + length - row.len(), 0);
+        }
+        (self.rows, self.length) = (longer, length);
+    }
+
+    fn get(&self, at: usize) -> &[u64] {
+        &self.rows[at * self.length..(at + 1) * self.length]
+    }
+
+    fn memory(&self) -> usize {
+        (self.rows.capacity() + self.hashes.capacity()) * size_of::<u64>() + self.index.memory()
+    }
 }
 
 /// Rows that have not been looked up yet.
@@ -75,22 +130,21 @@ impl Waiting {
 }
 
 impl Block {
-    /// Forgets everything; so many rows are known.
-    pub(crate) fn clear(&mut self, known: &PackedRows) {
+    /// Forgets everything. These rows and so many sets of keys have numbers.
+    pub(crate) fn clear(&mut self, known: &PackedRows, known_sets: usize) {
         self.heads.clear();
         self.edges.clear();
         self.targets.clear();
-        self.known = known.len() as u32;
-        self.rows.clear();
-        self.hashes.clear();
-        self.index.clear();
+        (self.known, self.known_sets) = (known.len() as u32, known_sets as SetId);
+        self.new.clear();
+        self.new_sets.clear();
         self.waiting.clear();
     }
 
     /// Notes the next state, of which nothing is known.
     pub(crate) fn miss(&mut self) {
-        let (turn, open, end) = (Turn::EnvironmentAny, UNKNOWN_SET, self.edges.len() as u32);
-        self.heads.push(Head { turn, silent: false, missed: true, open, end });
+        let (turn, end) = (Turn::EnvironmentAny, self.edges.len() as u32);
+        self.heads.push(Head { turn, silent: false, missed: true, open: 0, end });
     }
 
     /// Notes an edge of the next state, which leads to a row.
@@ -113,9 +167,11 @@ impl Block {
         self.targets.push(target);
     }
 
-    /// Notes the next state; its edges have been added.
-    pub(crate) fn push(&mut self, turn: Turn, silent: bool, open: SetId) {
+    /// Notes the next state; its edges have been added. The set of its open keys is `open`, or has no number if that is none.
+    pub(crate) fn push(&mut self, moves: &PackedMoves, open: Option<SetId>) {
         let end = self.edges.len() as u32;
+        let (turn, silent, keys) = (moves.turn, moves.silent, moves.open_keys());
+        let open = open.unwrap_or_else(|| self.known_sets + self.new_sets.intern(hash_row(keys), keys));
         self.heads.push(Head { turn, silent, missed: false, open, end });
     }
 
@@ -126,28 +182,11 @@ impl Block {
         known.find_all(hashes, rows, NONE, found);
         let rows = hashes.iter().zip(rows.chunks_exact(known.words()));
         for ((&edge, &id), (&hash, row)) in edges.iter().zip(&*found).zip(rows) {
-            self.targets[edge as usize] = if id == NONE { self.known + self.new_row(hash, row) } else { id };
+            self.targets[edge as usize] =
+                if id == NONE { self.known + self.new.intern(hash, row) } else { id };
         }
         waiting.clear();
         self.waiting = waiting;
-    }
-
-    /// The number of a new row among those of the block.
-    fn new_row(&mut self, hash: u64, row: &[u64]) -> u32 {
-        let Block { rows, hashes, index, .. } = self;
-        let is = |at: u32| rows[at as usize * row.len()..].iter().zip(row).all(|(one, other)| one == other);
-        if let Some(at) = index.find(hash, is) {
-            return at;
-        }
-        if !index.has_room() {
-            *index = Index::with_room_for(hashes.len() + 1);
-            (0..).zip(&*hashes).for_each(|(at, &hash)| index.insert(hash, at));
-        }
-        let at = hashes.len() as u32;
-        index.insert(hash, at);
-        hashes.push(hash);
-        rows.extend_from_slice(row);
-        at
     }
 
     pub(crate) fn heads(&self) -> &[Head] {
@@ -160,9 +199,9 @@ impl Block {
         self.heads.capacity() * size_of::<Head>()
             + self.edges.capacity() * size_of::<Found>()
             + (self.targets.capacity() + edges.capacity() + found.capacity()) * size_of::<u32>()
-            + (self.rows.capacity() + self.hashes.capacity() + rows.capacity() + hashes.capacity())
-                * size_of::<u64>()
-            + self.index.memory()
+            + (rows.capacity() + hashes.capacity()) * size_of::<u64>()
+            + self.new.memory()
+            + self.new_sets.memory()
     }
 }
 
@@ -173,13 +212,14 @@ pub(crate) struct Reader<'b> {
     head: usize,
     edge: usize,
     target: usize,
-    /// The numbers that new rows have been given.
+    /// The numbers that new rows, and new sets, have been given.
     numbers: Vec<u32>,
+    sets: Vec<SetId>,
 }
 
 impl<'b> Reader<'b> {
     pub(crate) fn new(block: &'b Block) -> Self {
-        Reader { block, head: 0, edge: 0, target: 0, numbers: Vec::with_capacity(block.hashes.len()) }
+        Reader { block, head: 0, edge: 0, target: 0, numbers: Vec::new(), sets: Vec::new() }
     }
 
     /// The next state, and its edges for [`Reader::target`].
@@ -191,29 +231,38 @@ impl<'b> Reader<'b> {
         Some((head, edges))
     }
 
+    /// The set of a state's open keys; `intern` gives a new one, a bit for each key, its number now.
+    pub(crate) fn open(&mut self, head: Head, intern: impl FnOnce(&[u64]) -> SetId) -> SetId {
+        let Block { new_sets, known_sets, .. } = self.block;
+        let at = head.open.wrapping_sub(*known_sets) as usize;
+        if at >= new_sets.hashes.len() {
+            return head.open;
+        }
+        // They come in their order.
+        if at == self.sets.len() {
+            self.sets.push(intern(new_sets.get(at)));
+        }
+        self.sets[at]
+    }
+
     /// Where the next edge leads; a row that is new gets its number now.
     #[inline]
     pub(crate) fn target(&mut self, rows: &mut PackedRows) -> u32 {
         let target = self.block.targets[self.target];
         self.target += 1;
         let at = target.wrapping_sub(self.block.known) as usize;
-        if at >= self.block.hashes.len() {
+        if at >= self.block.new.hashes.len() {
             return target;
         }
+        // They come in their order.
         if at == self.numbers.len() {
-            self.number(rows);
+            let New { hashes, .. } = &self.block.new;
+            if at.is_multiple_of(WINDOW) {
+                rows.fetch(&hashes[at..hashes.len().min(at + WINDOW)]);
+            }
+            self.numbers.push(rows.intern(hashes[at], self.block.new.get(at)));
         }
         self.numbers[at]
-    }
-
-    /// Gives the next new row its number. They come in their order.
-    fn number(&mut self, rows: &mut PackedRows) {
-        let Block { rows: new, hashes, .. } = self.block;
-        let (at, words) = (self.numbers.len(), rows.words());
-        if at.is_multiple_of(WINDOW) {
-            rows.fetch(&hashes[at..hashes.len().min(at + WINDOW)]);
-        }
-        self.numbers.push(rows.intern(hashes[at], &new[at * words..(at + 1) * words]));
     }
 }
 
@@ -222,6 +271,21 @@ mod tests {
     use super::*;
     use proptest::collection::vec;
     use proptest::prelude::{prop_assert_eq, proptest};
+
+    #[test]
+    fn sets_may_become_longer() {
+        let mut new = New::default();
+        let rows: [&[u64]; 6] = [&[1], &[2], &[1], &[0, 1], &[1, 1], &[0, 1]];
+        assert_eq!(rows.map(|row| new.intern(hash_row(row), row)), [0, 1, 0, 2, 3, 2]);
+        assert_eq!([0, 1, 2, 3].map(|at| new.get(at).to_vec()), [[1, 0], [2, 0], [0, 1], [1, 1]]);
+    }
+
+    /// The number of a set in the order in which they come.
+    fn set(sets: &mut Vec<u64>, keys: u64) -> SetId {
+        let at = sets.iter().position(|&one| one == keys).unwrap_or(sets.len());
+        sets.resize(sets.len().max(at + 1), keys);
+        at as SetId
+    }
 
     proptest! {
         /// Numbers are those of following each edge at once, whatever is in which block.
@@ -238,15 +302,23 @@ mod tests {
                 rows.intern(hash_row(&[*row]), &[*row]);
                 expected.intern(hash_row(&[*row]), &[*row]);
             }
+            let mut sets = vec![7, 1];
+            let mut expected_sets = sets.clone();
             let blocks = [first, second].map(|states| {
                 let mut block = Block::default();
-                block.clear(&rows);
+                block.clear(&rows, sets.len());
+                let mut moves = PackedMoves::default();
                 for edges in &states {
                     for &row in edges {
                         let edge = Found { event: row as u32, discharged: 0 };
                         if row == 0 { block.add_end(edge, END) } else { block.add(&rows, edge, [row]) }
                     }
-                    if edges.is_empty() { block.miss() } else { block.push(Turn::SystemUrgent, true, 3) }
+                    let Some(&keys) = edges.last() else {
+                        block.miss();
+                        continue;
+                    };
+                    moves.open_keys = vec![keys];
+                    block.push(&moves, sets.iter().position(|&one| one == keys).map(|at| at as SetId));
                 }
                 block.look_up(&rows);
                 (states, block)
@@ -256,6 +328,10 @@ mod tests {
                 for edges in states {
                     let (head, found) = reader.state().expect("as many states");
                     prop_assert_eq!((head.missed, found.len()), (edges.is_empty(), edges.len()));
+                    if let Some(&keys) = edges.last() {
+                        let open = reader.open(head, |keys| set(&mut sets, keys[0]));
+                        prop_assert_eq!(open, set(&mut expected_sets, keys));
+                    }
                     for (&row, found) in edges.iter().zip(found) {
                         let number = if row == 0 { END } else { expected.intern(hash_row(&[row]), &[row]) };
                         prop_assert_eq!((found.event, reader.target(&mut rows)), (row as u32, number));

@@ -17,6 +17,9 @@ pub(crate) struct PackedRows {
     index: Index,
 }
 
+/// So many rows are looked up or added at a time: their places are fetched together, which takes hardly longer than one.
+pub(super) const WINDOW: usize = 256;
+
 /// Bytes of a word.
 const WORD: usize = size_of::<u64>();
 
@@ -148,7 +151,13 @@ impl PackedRows {
     fn index_all(&mut self) {
         self.index = Index::default();
         let mut index = Index::with_room_for(self.len() + 1);
-        (0..self.count).for_each(|id| index.insert(self.hash(id), id));
+        let mut hashes = Vec::with_capacity(WINDOW);
+        for start in (0..self.count).step_by(WINDOW) {
+            hashes.clear();
+            hashes.extend((start..self.count).take(WINDOW).map(|id| self.hash(id)));
+            index.fetch(&hashes);
+            (start..).zip(&hashes).for_each(|(id, &hash)| index.insert(hash, id));
+        }
         self.index = index;
     }
 

@@ -30,12 +30,12 @@ pub(super) fn fill(
 }
 
 fn fill_one(block: &mut Block, nodes: &Nodes, machine: &Machine<'_>, part: Range<u32>) {
-    block.clear(&nodes.rows);
+    block.clear(&nodes.rows, nodes.sets());
     let (mut moves, mut row) = (std::mem::take(&mut block.moves), std::mem::take(&mut block.row));
     let mut found = Vec::new();
     for node in part {
         let (state, control) = nodes.get(node, &mut row);
-        let is_known = nodes.successors.moves(state, &mut moves).is_ok();
+        let is_known = nodes.successors.moves_and_keys(state, &mut moves).is_ok();
         if is_known && steps(machine, control, &moves, &mut found).is_ok() {
             add(block, nodes, &moves, &found);
         } else {
@@ -53,5 +53,5 @@ pub(super) fn add(block: &mut Block, nodes: &Nodes, moves: &PackedMoves, steps: 
         let row = moves.target(edge).iter().copied().chain([nodes.word(step.control)]);
         block.add(&nodes.rows, Found { event: edge.event, discharged: edge.discharged }, row);
     }
-    block.push(moves.turn, moves.silent, moves.open);
+    block.push(moves, nodes.set_of(moves));
 }

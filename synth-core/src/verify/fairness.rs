@@ -53,11 +53,22 @@ fn check_some(
     threads: usize,
 ) -> Result<(), VerifyError> {
     let graph = &product.graph;
-    let bit = |goal: Goal| goals.iter().position(|&one| one == goal).map_or(0, |bit| 1 << bit);
-    let goals_in = |set| product.keys(set).fold(0, |goals, key| goals | bit(Some(key)));
+    // Per key, and of what is no key, the bit that stands for it.
+    let (mut bits, mut inner) = (Vec::new(), 0);
+    for (bit, &goal) in goals.iter().enumerate() {
+        match goal {
+            Some(key) => {
+                bits.resize(bits.len().max(key as usize + 1), 0);
+                bits[key as usize] = 1 << bit;
+            }
+            None => inner = 1 << bit,
+        }
+    }
+    let bit = |key: KeyId| bits.get(key as usize).copied().unwrap_or(0);
+    let goals_in = |set| product.keys(set).fold(0, |goals, key| goals | bit(key));
     let open: Vec<u64> = (0..sets).map(goals_in).collect();
     let assumes: Vec<bool> = (0..open.len()).map(|set| assumed.iter().any(|is_in| is_in[set])).collect();
-    let starving = starving(graph, &open, bit(None), &assumes);
+    let starving = starving(graph, &open, inner, &assumes, threads);
     let any = starving.iter().fold(0, |any, goals| any | goals);
     let suspects: Vec<u32> = (0..goals.len() as u32).filter(|bit| any >> bit & 1 == 1).collect();
     let found = parallel::find_first(&suspects, LEAST_SHARE / graph.nodes().max(1), threads, |&bit| {

@@ -51,11 +51,16 @@ impl Graph {
         push(&mut self.first, self.target.len() as u32);
     }
 
-    /// An edge of the next node.
-    pub(super) fn add_edge(&mut self, event: EventId, discharged: SetId, target: u32) {
-        push(&mut self.target, target);
-        push(&mut self.event, event);
-        push(&mut self.discharged, discharged);
+    /// Edges of the next node: what happens, what it discharges, and where it leads.
+    pub(super) fn add_edges(&mut self, edges: impl ExactSizeIterator<Item = (EventId, SetId, u32)>) {
+        reserve(&mut self.event, edges.len());
+        reserve(&mut self.discharged, edges.len());
+        reserve(&mut self.target, edges.len());
+        for (event, discharged, target) in edges {
+            self.event.push(event);
+            self.discharged.push(discharged);
+            self.target.push(target);
+        }
     }
 
     /// The edges that leave a node.

@@ -8,6 +8,9 @@ use rustc_hash::FxHashMap;
 /// Stands for an event that the controller does not know.
 const NONE: u32 = u32::MAX;
 
+/// States whose rows are collected together.
+const NEAR: usize = 1 << 10;
+
 /// The controller by states.
 pub(super) struct Machine<'a> {
     controller: &'a Controller,
@@ -35,11 +38,18 @@ impl<'a> Machine<'a> {
         }
         let mut next = first.clone();
         let mut rows = vec![(NONE, NONE); first[states] as usize];
-        for (event, mapping) in controller.environment.iter().enumerate() {
-            for &(source, target) in mapping {
-                let place = &mut next[source as usize];
-                rows[*place as usize] = (event as u32, target);
-                *place += 1;
+        // So many states at a time that their rows stay near, whichever event they are of.
+        let mut mappings: Vec<_> = controller.environment.iter().map(|mapping| mapping.iter()).collect();
+        for end in (0..states + NEAR).step_by(NEAR).skip(1) {
+            for (event, mapping) in (0..).zip(&mut mappings) {
+                while let Some(&(source, target)) =
+                    mapping.as_slice().first().filter(|row| (row.0 as usize) < end)
+                {
+                    mapping.next();
+                    let place = &mut next[source as usize];
+                    rows[*place as usize] = (event, target);
+                    *place += 1;
+                }
             }
         }
         let mut due = vec![NONE; states];

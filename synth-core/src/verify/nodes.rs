@@ -74,11 +74,14 @@ impl Nodes {
         self.successors.key_sets().members(set)
     }
 
-    /// The set of the keys that are open in a node.
-    pub(super) fn open_keys(&mut self, node: u32) -> SetId {
-        let mut row = Vec::new();
-        let (state, _) = self.get(node, &mut row);
-        self.successors.open_set(state)
+    /// How many sets of keys were met so far.
+    pub(super) fn sets(&self) -> usize {
+        self.successors.key_sets().len()
+    }
+
+    /// The set of the keys that are open, if it was met before.
+    pub(super) fn set_of(&self, moves: &PackedMoves) -> Option<SetId> {
+        self.successors.find_set(moves.open_keys())
     }
 
     /// Packs all rows anew, with room for these values of fields.

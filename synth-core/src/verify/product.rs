@@ -9,7 +9,7 @@ use super::{Refutation, VerifyError};
 use crate::controller::Controller;
 use crate::model::{Kind, Spec};
 use crate::playout::{EventId, KeyId, Playout, Semantics};
-use crate::successors::{Block, Found, Head, Learned, PackedMoves, Reader, SetId, UNKNOWN_SET};
+use crate::successors::{Block, Found, Head, Learned, PackedMoves, Reader, SetId};
 use std::ops::Range;
 
 /// Edges have `u32` offsets; one node adds fewer than the rest.
@@ -136,7 +136,7 @@ impl<'s> Explorer<'_, 's> {
         let (mut found, mut row): (Vec<Step>, _) = Default::default();
         loop {
             let filled = fill(blocks, &product.nodes, machine, batch.clone(), threads);
-            again.clear(&product.nodes.rows);
+            again.clear(&product.nodes.rows, product.nodes.sets());
             let mut narrow = Vec::new();
             let mut end = None;
             let heads = blocks[..filled].iter().flat_map(Block::heads);
@@ -193,12 +193,9 @@ impl<'s> Explorer<'_, 's> {
     }
 
     fn add(&mut self, head: Head, edges: &[Found], reader: &mut Reader<'_>) {
-        let Product { nodes, graph, .. } = &mut self.product;
-        for edge in edges {
-            let target = reader.target(&mut nodes.rows);
-            graph.add_edge(edge.event, edge.discharged, target);
-        }
-        let open = if head.open == UNKNOWN_SET { nodes.open_keys(graph.nodes() as u32) } else { head.open };
+        let Product { nodes: Nodes { successors, rows, .. }, graph, .. } = &mut self.product;
+        graph.add_edges(edges.iter().map(|edge| (edge.event, edge.discharged, reader.target(rows))));
+        let open = reader.open(head, |keys| successors.intern_set(keys));
         graph.add_node(open, Rest { environment: head.turn.is_environment(), silent: head.silent });
     }
 }

@@ -5,55 +5,125 @@
 //! leads there; a good controller seldom leaves more than cycles on which some assumption starves, too.
 
 use super::graph::{Graph, Rest};
+use crate::parallel;
 use crate::successors::SetId;
+use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
 /// Goals that are looked at together.
 pub(super) const GOALS: usize = u64::BITS as usize;
 
+/// So often are all nodes looked at that some goal can starve from, before it is found out which ones to look at again.
+const SWEEPS: usize = 8;
+
+/// Nodes that one thread looks at before it takes others.
+const PART: u32 = 1 << 12;
+
 /// Per node the goals, as bits, that can starve from there on.
 ///
 /// `open` says per set of keys which goals are in it. The goals of `inner` are open in the system's turn instead, and nothing
-/// discharges them. `assumes` says per set whether an assumption is in it, so that to stay in silence is not fair.
-pub(super) fn starving(graph: &Graph, open: &[u64], inner: u64, assumes: &[bool]) -> Vec<u64> {
-    let nodes = || graph.open.iter().zip(&graph.rest);
+/// discharges them. `assumes` says per set whether an assumption is in it, so that to stay in silence is not fair. `threads` as in
+/// [`parallel::share`]: the result is the greatest of its kind, whatever is looked at first.
+pub(super) fn starving(
+    graph: &Graph,
+    open: &[u64],
+    inner: u64,
+    assumes: &[bool],
+    threads: usize,
+) -> Vec<u64> {
+    let nodes = graph.open.iter().zip(&graph.rest);
     let opens = |(&set, rest): (&SetId, &Rest)| open[set as usize] | if rest.environment { 0 } else { inner };
-    let mut starving: Vec<u64> = nodes().map(opens).collect();
-    let goes_on = |(&set, rest): (&SetId, &Rest)| !rest.silent || assumes[set as usize];
-    // Whether a node must be looked at; those that may stay in silence never lose anything.
-    let mut waits: Vec<bool> = nodes().map(goes_on).collect();
-    let may_lose = waits.clone();
-    let (first, sources) = graph.sources();
-    // Most successors have higher numbers, so each round begins at the end; what one says to those behind it, the next one hears.
-    let mut is_last = false;
-    while !is_last {
-        is_last = true;
-        for node in (0..graph.nodes()).rev() {
-            if !std::mem::take(&mut waits[node]) {
-                continue;
-            }
-            let before = starving[node];
-            let mut after = 0;
-            for edge in graph.edges_of(node as u32) {
-                if after == before {
-                    break;
-                }
-                let discharged = open[graph.discharged[edge as usize] as usize];
-                after |= before & starving[graph.target[edge as usize] as usize] & !discharged;
-            }
+    let starving: Vec<AtomicU64> = nodes.map(|node| AtomicU64::new(opens(node))).collect();
+    let search = Search { graph, open, assumes, starving: &starving };
+    if (0..SWEEPS).all(|_| search.sweep(threads)) {
+        search.follow();
+    }
+    starving.into_iter().map(AtomicU64::into_inner).collect()
+}
+
+struct Search<'a> {
+    graph: &'a Graph,
+    open: &'a [u64],
+    assumes: &'a [bool],
+    /// Per node the goals that have not been struck out.
+    starving: &'a [AtomicU64],
+}
+
+impl Search<'_> {
+    fn get(&self, node: usize) -> u64 {
+        self.starving[node].load(Ordering::Relaxed)
+    }
+
+    /// Strikes out of a node what none of its edges keeps; which goals these were.
+    fn strike(&self, node: usize) -> u64 {
+        let before = self.get(node);
+        if before == 0 || self.graph.rest[node].silent && !self.assumes[self.graph.open[node] as usize] {
+            return 0;
+        }
+        let mut after = 0;
+        for edge in self.graph.edges_of(node as u32) {
+            let discharged = self.open[self.graph.discharged[edge as usize] as usize];
+            after |= before & !discharged & self.get(self.graph.target[edge as usize] as usize);
             if after == before {
-                continue;
+                return 0;
             }
-            starving[node] = after;
-            for &source in &sources[first[node] as usize..first[node + 1] as usize] {
-                let source = source as usize;
-                if starving[source] & before & !after != 0 && may_lose[source] {
-                    waits[source] = true;
-                    is_last &= source < node;
+        }
+        self.starving[node].store(after, Ordering::Relaxed);
+        before & !after
+    }
+
+    /// Looks at all nodes; whether something was struck out. Most edges lead to higher numbers, so it begins at the end.
+    fn sweep(&self, threads: usize) -> bool {
+        let nodes = self.graph.nodes() as u32;
+        let parts = nodes.div_ceil(PART);
+        let (taken, mut places) = (AtomicU32::new(0), Vec::new());
+        parallel::share(
+            &mut places,
+            0..parallel::threads_for(parts as usize, threads) as u32,
+            1,
+            threads,
+            |place, _| {
+                *place = false;
+                loop {
+                    let part = taken.fetch_add(1, Ordering::Relaxed);
+                    if part >= parts {
+                        break;
+                    }
+                    let end = nodes - part * PART;
+                    for node in (end.saturating_sub(PART)..end).rev() {
+                        *place |= self.strike(node as usize) != 0;
+                    }
+                }
+            },
+        );
+        places.contains(&true)
+    }
+
+    /// Looks at nodes for as long as something was struck out of one that an edge of theirs leads to.
+    fn follow(&self) {
+        let (first, sources) = self.graph.sources();
+        let mut waits = vec![true; self.graph.nodes()];
+        // What one says to those behind it, the next round hears.
+        let mut is_last = false;
+        while !is_last {
+            is_last = true;
+            for node in (0..self.graph.nodes()).rev() {
+                if !std::mem::take(&mut waits[node]) {
+                    continue;
+                }
+                let struck = self.strike(node);
+                if struck == 0 {
+                    continue;
+                }
+                for &source in &sources[first[node] as usize..first[node + 1] as usize] {
+                    let source = source as usize;
+                    if self.get(source) & struck != 0 {
+                        waits[source] = true;
+                        is_last &= source < node;
+                    }
                 }
             }
         }
     }
-    starving
 }
 
 #[cfg(test)]
@@ -73,9 +143,8 @@ mod tests {
             const INNER: u64 = 8;
             let mut graph = Graph::new();
             for (set, environment, silent, edges) in &nodes {
-                for &(discharged, target) in edges {
-                    graph.add_edge(0, discharged, target % nodes.len() as u32);
-                }
+                let edges = edges.iter().map(|&(discharged, target)| (0, discharged, target % nodes.len() as u32));
+                graph.add_edges(edges);
                 graph.add_node(*set, Rest { environment: *environment, silent: *silent });
             }
             let start = |node: usize| {
@@ -94,7 +163,11 @@ mod tests {
                 };
                 walks = all.clone().map(longer).collect();
             }
-            prop_assert_eq!(starving(&graph, &open, INNER, &assumes), walks);
+            prop_assert_eq!(&starving(&graph, &open, INNER, &assumes, 1), &walks);
+            // Long chains against the numbers are left to following them.
+            let starving: Vec<AtomicU64> = (0..nodes.len()).map(|node| AtomicU64::new(start(node))).collect();
+            Search { graph: &graph, open: &open, assumes: &assumes, starving: &starving }.follow();
+            prop_assert_eq!(starving.into_iter().map(AtomicU64::into_inner).collect::<Vec<u64>>(), walks);
         }
     }
 }
