@@ -210,7 +210,7 @@ impl Explorer<'_, '_> {
             let start = self.graph.turn.len();
             let states = start as StateId..self.store.len().min(start + BATCH) as StateId;
             let (filled, mistake) = self.find(&states, limits.threads);
-            self.buffers = self.blocks.iter().chain([&self.learned]).map(Block::memory).sum();
+            self.buffers = self.blocks[..filled].iter().chain([&self.learned]).map(Block::memory).sum();
             let blocks = std::mem::take(&mut self.blocks);
             let merged = self.merge(&blocks[..filled], mistake.as_ref().map(|one| one.0), limits);
             self.blocks = blocks;

@@ -105,10 +105,6 @@ impl New {
     fn get(&self, at: usize) -> &[u64] {
         &self.rows[at * self.length..(at + 1) * self.length]
     }
-
-    fn memory(&self) -> usize {
-        (self.rows.capacity() + self.hashes.capacity()) * size_of::<u64>() + self.index.memory()
-    }
 }
 
 /// Rows that have not been looked up yet.
@@ -193,15 +189,9 @@ impl Block {
         &self.heads
     }
 
-    /// Bytes held.
+    /// Bytes of what was noted of states and edges. The rest is small, and depends on how many blocks there are.
     pub(crate) fn memory(&self) -> usize {
-        let Waiting { edges, hashes, rows, found } = &self.waiting;
-        self.heads.capacity() * size_of::<Head>()
-            + self.edges.capacity() * size_of::<Found>()
-            + (self.targets.capacity() + edges.capacity() + found.capacity()) * size_of::<u32>()
-            + (rows.capacity() + hashes.capacity()) * size_of::<u64>()
-            + self.new.memory()
-            + self.new_sets.memory()
+        self.heads.len() * size_of::<Head>() + self.edges.len() * (size_of::<Found>() + size_of::<u32>())
     }
 }
 

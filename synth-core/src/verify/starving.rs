@@ -7,13 +7,13 @@
 use super::graph::{Graph, Rest};
 use crate::parallel;
 use crate::successors::SetId;
-use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 
 /// Goals that are looked at together.
 pub(super) const GOALS: usize = u64::BITS as usize;
 
 /// So often are all nodes looked at that some goal can starve from, before it is found out which ones to look at again.
-const SWEEPS: usize = 8;
+const SWEEPS: usize = 3;
 
 /// Nodes that one thread looks at before it takes others.
 const PART: u32 = 1 << 12;
@@ -34,8 +34,8 @@ pub(super) fn starving(
     let opens = |(&set, rest): (&SetId, &Rest)| open[set as usize] | if rest.environment { 0 } else { inner };
     let starving: Vec<AtomicU64> = nodes.map(|node| AtomicU64::new(opens(node))).collect();
     let search = Search { graph, open, assumes, starving: &starving };
-    if (0..SWEEPS).all(|_| search.sweep(threads)) {
-        search.follow();
+    if (0..SWEEPS).all(|_| search.round(threads, |node| search.strike(node) != 0)) {
+        search.follow(threads);
     }
     starving.into_iter().map(AtomicU64::into_inner).collect()
 }
@@ -71,58 +71,50 @@ impl Search<'_> {
         before & !after
     }
 
-    /// Looks at all nodes; whether something was struck out. Most edges lead to higher numbers, so it begins at the end.
-    fn sweep(&self, threads: usize) -> bool {
+    /// Calls `look` with all nodes; whether it was true of one. Most edges lead to higher numbers, so it begins at the end, and so
+    /// does each thread.
+    fn round(&self, threads: usize, look: impl Fn(usize) -> bool + Sync) -> bool {
         let nodes = self.graph.nodes() as u32;
         let parts = nodes.div_ceil(PART);
         let (taken, mut places) = (AtomicU32::new(0), Vec::new());
-        parallel::share(
-            &mut places,
-            0..parallel::threads_for(parts as usize, threads) as u32,
-            1,
-            threads,
-            |place, _| {
-                *place = false;
-                loop {
-                    let part = taken.fetch_add(1, Ordering::Relaxed);
-                    if part >= parts {
-                        break;
-                    }
-                    let end = nodes - part * PART;
-                    for node in (end.saturating_sub(PART)..end).rev() {
-                        *place |= self.strike(node as usize) != 0;
-                    }
+        parallel::share(&mut places, 0..parts, 1, threads, |place, _| {
+            *place = false;
+            loop {
+                let part = taken.fetch_add(1, Ordering::Relaxed);
+                if part >= parts {
+                    break;
                 }
-            },
-        );
+                let end = nodes - part * PART;
+                for node in (end.saturating_sub(PART)..end).rev() {
+                    *place |= look(node as usize);
+                }
+            }
+        });
         places.contains(&true)
     }
 
     /// Looks at nodes for as long as something was struck out of one that an edge of theirs leads to.
-    fn follow(&self) {
+    fn follow(&self, threads: usize) {
         let (first, sources) = self.graph.sources();
-        let mut waits = vec![true; self.graph.nodes()];
-        // What one says to those behind it, the next round hears.
-        let mut is_last = false;
-        while !is_last {
-            is_last = true;
-            for node in (0..self.graph.nodes()).rev() {
-                if !std::mem::take(&mut waits[node]) {
-                    continue;
-                }
-                let struck = self.strike(node);
-                if struck == 0 {
-                    continue;
-                }
+        let waits: Vec<AtomicBool> = (0..self.graph.nodes()).map(|_| AtomicBool::new(true)).collect();
+        let waits = |node: usize| &waits[node];
+        // Whoever sees that a node waits sees what was struck out before.
+        while self.round(threads, |node| {
+            if !waits(node).load(Ordering::Relaxed) || !waits(node).swap(false, Ordering::Acquire) {
+                return false;
+            }
+            let struck = self.strike(node);
+            let mut some_wait = false;
+            if struck != 0 {
                 for &source in &sources[first[node] as usize..first[node + 1] as usize] {
-                    let source = source as usize;
-                    if self.get(source) & struck != 0 {
-                        waits[source] = true;
-                        is_last &= source < node;
+                    if self.get(source as usize) & struck != 0 {
+                        waits(source as usize).store(true, Ordering::Release);
+                        some_wait = true;
                     }
                 }
             }
-        }
+            some_wait
+        }) {}
     }
 }
 
@@ -166,7 +158,7 @@ mod tests {
             prop_assert_eq!(&starving(&graph, &open, INNER, &assumes, 1), &walks);
             // Long chains against the numbers are left to following them.
             let starving: Vec<AtomicU64> = (0..nodes.len()).map(|node| AtomicU64::new(start(node))).collect();
-            Search { graph: &graph, open: &open, assumes: &assumes, starving: &starving }.follow();
+            Search { graph: &graph, open: &open, assumes: &assumes, starving: &starving }.follow(1);
             prop_assert_eq!(starving.into_iter().map(AtomicU64::into_inner).collect::<Vec<u64>>(), walks);
         }
     }
