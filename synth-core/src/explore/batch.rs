@@ -29,7 +29,7 @@ pub(super) fn fill(
 }
 
 fn fill_one(block: &mut Block, store: &StateStore, sets: &KeySetsBuilder, states: Range<StateId>) {
-    block.clear(&store.rows, sets.len());
+    block.clear(&store.rows);
     let (mut moves, mut row) = (std::mem::take(&mut block.moves), std::mem::take(&mut block.row));
     for state in states {
         if store.successors.moves_and_keys(store.rows.get(state, &mut row), &mut moves).is_ok() {

@@ -229,7 +229,7 @@ impl Explorer<'_, '_> {
         loop {
             let filled =
                 batch::fill(&mut self.blocks, &self.store, &self.sets.builder, states.clone(), threads);
-            self.learned.clear(&self.store.rows, self.sets.builder.len());
+            self.learned.clear(&self.store.rows);
             let mut narrow = Vec::new();
             let mut mistake = None;
             let heads = self.blocks[..filled].iter().flat_map(Block::heads);

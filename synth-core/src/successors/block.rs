@@ -21,7 +21,7 @@ pub(crate) struct Head {
     pub(crate) silent: bool,
     /// Nothing is known: it must be looked at again.
     pub(crate) missed: bool,
-    /// The set of its open keys, for [`Reader::open`].
+    /// The set of its open keys, for [`Reader::open`]; new ones count down from the greatest number, as learning may make more sets.
     open: SetId,
     /// Behind its last edge.
     end: u32,
@@ -44,9 +44,8 @@ pub(crate) struct Block {
     known: u32,
     /// The new rows in the order in which edges lead there.
     new: New,
-    /// The sets of open keys that had no number, in the order of the states, a bit for each key; and how many sets had one.
+    /// The sets of open keys that had no number, in the order of the states, a bit for each key.
     new_sets: New,
-    known_sets: SetId,
     waiting: Waiting,
     /// Room to find moves, and a row.
     pub(crate) moves: PackedMoves,
@@ -126,12 +125,12 @@ impl Waiting {
 }
 
 impl Block {
-    /// Forgets everything. These rows and so many sets of keys have numbers.
-    pub(crate) fn clear(&mut self, known: &PackedRows, known_sets: usize) {
+    /// Forgets everything. These rows have numbers.
+    pub(crate) fn clear(&mut self, known: &PackedRows) {
         self.heads.clear();
         self.edges.clear();
         self.targets.clear();
-        (self.known, self.known_sets) = (known.len() as u32, known_sets as SetId);
+        self.known = known.len() as u32;
         self.new.clear();
         self.new_sets.clear();
         self.waiting.clear();
@@ -167,7 +166,7 @@ impl Block {
     pub(crate) fn push(&mut self, moves: &PackedMoves, open: Option<SetId>) {
         let end = self.edges.len() as u32;
         let (turn, silent, keys) = (moves.turn, moves.silent, moves.open_keys());
-        let open = open.unwrap_or_else(|| self.known_sets + self.new_sets.intern(hash_row(keys), keys));
+        let open = open.unwrap_or_else(|| SetId::MAX - self.new_sets.intern(hash_row(keys), keys));
         self.heads.push(Head { turn, silent, missed: false, open, end });
     }
 
@@ -223,8 +222,8 @@ impl<'b> Reader<'b> {
 
     /// The set of a state's open keys; `intern` gives a new one, a bit for each key, its number now.
     pub(crate) fn open(&mut self, head: Head, intern: impl FnOnce(&[u64]) -> SetId) -> SetId {
-        let Block { new_sets, known_sets, .. } = self.block;
-        let at = head.open.wrapping_sub(*known_sets) as usize;
+        let Block { new_sets, .. } = self.block;
+        let at = (SetId::MAX - head.open) as usize;
         if at >= new_sets.hashes.len() {
             return head.open;
         }
@@ -296,7 +295,7 @@ mod tests {
             let mut expected_sets = sets.clone();
             let blocks = [first, second].map(|states| {
                 let mut block = Block::default();
-                block.clear(&rows, sets.len());
+                block.clear(&rows);
                 let mut moves = PackedMoves::default();
                 for edges in &states {
                     for &row in edges {

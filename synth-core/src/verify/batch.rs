@@ -30,7 +30,7 @@ pub(super) fn fill(
 }
 
 fn fill_one(block: &mut Block, nodes: &Nodes, machine: &Machine<'_>, part: Range<u32>) {
-    block.clear(&nodes.rows, nodes.sets());
+    block.clear(&nodes.rows);
     let (mut moves, mut row) = (std::mem::take(&mut block.moves), std::mem::take(&mut block.row));
     let mut found = Vec::new();
     for node in part {

@@ -74,11 +74,6 @@ impl Nodes {
         self.successors.key_sets().members(set)
     }
 
-    /// How many sets of keys were met so far.
-    pub(super) fn sets(&self) -> usize {
-        self.successors.key_sets().len()
-    }
-
     /// The set of the keys that are open, if it was met before.
     pub(super) fn set_of(&self, moves: &PackedMoves) -> Option<SetId> {
         self.successors.find_set(moves.open_keys())

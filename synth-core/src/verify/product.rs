@@ -136,7 +136,7 @@ impl<'s> Explorer<'_, 's> {
         let (mut found, mut row): (Vec<Step>, _) = Default::default();
         loop {
             let filled = fill(blocks, &product.nodes, machine, batch.clone(), threads);
-            again.clear(&product.nodes.rows, product.nodes.sets());
+            again.clear(&product.nodes.rows);
             let mut narrow = Vec::new();
             let mut end = None;
             let heads = blocks[..filled].iter().flat_map(Block::heads);
