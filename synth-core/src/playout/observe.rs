@@ -4,6 +4,7 @@
 use super::copies::CopyId;
 use super::events::EventId;
 use super::offers::{self, Offers};
+use super::pattern::Matcher;
 use super::react::{self, Occasion, Outcome};
 use super::step::{apply_effects, has_effects};
 use super::{Playout, ValuationId};
@@ -30,6 +31,24 @@ impl Playout<'_> {
     /// Whether the event assigns anything.
     pub(crate) fn assigns(&self, event: EventId) -> bool {
         has_effects(self.spec, self.events.get(event))
+    }
+
+    /// Whether the scenario of a copy has a message or a constraint of the event's operation, sender and receiver. If it has
+    /// none, the copy stays where it is but for what settles, and all such events do the same to it.
+    pub(crate) fn concerns(&self, event: EventId, copy: CopyId) -> bool {
+        let copy = self.copies.get(copy);
+        let scenario = &self.spec.scenarios[copy.scenario];
+        let reads = Reads::default();
+        let matcher = Matcher {
+            spec: self.spec,
+            event: self.events.get(event),
+            attributes: Snapshot { values: &[], moment: Moment::Before, reads: &reads },
+            scenario,
+            roles: &copy.roles,
+            variables: &copy.variables,
+        };
+        let constraints = scenario.constraints().map(|constraint| &constraint.message);
+        scenario.messages().chain(constraints).any(|message| matcher.ends(message))
     }
 
     /// Runs the effects of an event and appends the slots that they assign; whether there was no mistake.

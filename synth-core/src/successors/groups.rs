@@ -102,14 +102,15 @@ impl Groups {
         value
     }
 
-    /// Gives the next copy its slot; copies come in the order of their ids.
-    pub(super) fn add_copy(&mut self, copy: &Copy) {
+    /// Gives the next copy its slot; copies come in the order of their ids. Whether the slot is new.
+    pub(super) fn add_copy(&mut self, copy: &Copy) -> bool {
         let next = self.slots.len() as u32;
         let slot = *self.slot_index.entry((copy.scenario, copy.roles.clone())).or_insert(next);
         if slot == next {
             self.slots.push(Vec::new());
         }
         self.alone.push((slot, UNKNOWN));
+        slot == next
     }
 
     /// How many copies have a slot.

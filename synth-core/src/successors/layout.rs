@@ -23,6 +23,17 @@ impl Field {
         *word = *word & !(self.mask << self.shift) | u64::from(value) << self.shift;
     }
 
+    /// Sets all bits of the field.
+    pub(super) fn fill(self, mask: &mut [u64]) {
+        mask[self.word as usize] |= self.mask << self.shift;
+    }
+
+    /// Whether the first bit of the field is set.
+    #[inline]
+    pub(super) fn is_in(self, mask: &[u64]) -> bool {
+        mask[self.word as usize] >> self.shift & 1 != 0
+    }
+
     pub(super) fn fits(self, value: u32) -> bool {
         u64::from(value) <= self.mask
     }
@@ -71,12 +82,25 @@ impl Layout {
         for (index, (&word, &slots)) in row.iter().zip(&self.slots).enumerate() {
             let mut rest = word & slots;
             while rest != 0 {
-                let field = self.owner[index * u64::BITS as usize + rest.trailing_zeros() as usize];
-                let Field { shift, mask, .. } = self.fields[field as usize];
-                visit(field, (word >> shift & mask) as u32);
-                rest &= !(mask << shift);
+                let (field, value) = self.take(index, word, &mut rest);
+                visit(field, value);
             }
         }
+    }
+
+    /// The bits of slots in a word of a row.
+    #[inline]
+    pub(super) fn slots(&self, index: usize) -> u64 {
+        self.slots[index]
+    }
+
+    /// The field to which the first of some bits of a word of a row belongs, and its value. All its bits are taken away.
+    #[inline]
+    pub(super) fn take(&self, index: usize, word: u64, bits: &mut u64) -> (u32, u32) {
+        let field = self.owner[index * u64::BITS as usize + bits.trailing_zeros() as usize];
+        let Field { shift, mask, .. } = self.fields[field as usize];
+        *bits &= !(mask << shift);
+        (field, (word >> shift & mask) as u32)
     }
 
     /// Adds a field of no bits, for a slot.

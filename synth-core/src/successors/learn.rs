@@ -44,7 +44,7 @@ impl Successors {
     /// Packs a state; fields that are too narrow are widened, so this is for a time when there are no rows yet.
     pub(crate) fn pack_first(&mut self, playout: &Playout<'_>, config: &Config) -> Vec<u64> {
         let fields = self.take_apart(playout, config);
-        self.layout = self.layout.widened(&fields);
+        self.set_layout(self.widened(&fields));
         let mut row = vec![0; self.layout.words()];
         for (field, value) in fields {
             self.layout.field(field as usize).write(&mut row, value);
@@ -110,7 +110,9 @@ impl Learner<'_, '_> {
                 reaction.joins = (start, self.successors.joins.len() as u32);
                 self.keep_reaction(reaction, 0)
             }
-            Place::Reaction(group, event) => self.reaction(group, event, &reads)?,
+            Place::Reaction(group, event) | Place::Settling(group, event) => {
+                self.reaction(group, event, &reads)?
+            }
             Place::Offers(group) => self.offers(group, &reads)?,
         };
         self.successors.keep_up(self.playout);

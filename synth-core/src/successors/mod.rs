@@ -7,11 +7,16 @@
 //! did, so that the number of results does not grow with the number of valuations. `moves` puts the results
 //! together, exactly as [`Playout::moves`](crate::playout::Playout::moves) does.
 //!
+//! Most events concern few slots (`concerns`). A group that an event does not concern can only be let go on by new values of
+//! attributes, whatever the event is, so there is one tree for all these events; and since the copies of a state have
+//! settled under its attributes, nobody looks at it unless an attribute changes.
+//!
 //! Finding the moves is a pure function of a row and these tables. It may find that something is not known yet; then
 //! `learn` asks play-out, whose results are the definition. Mistakes of a specification are never tabulated:
 //! where one might show, play-out plays the state.
 
 mod block;
+mod concerns;
 mod groups;
 mod index;
 mod layout;
@@ -22,6 +27,7 @@ mod sets;
 mod store;
 mod tables;
 mod trees;
+mod wishes;
 
 pub(crate) use block::{Block, Found, Head, Reader};
 pub(crate) use layout::Layout;

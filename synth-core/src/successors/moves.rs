@@ -3,8 +3,9 @@
 use super::UNKNOWN_SET;
 use super::groups::GroupId;
 use super::sets::SetId;
-use super::tables::{Place, Successors, Wish, YIELDED, class, flag, part};
+use super::tables::{Place, Successors, YIELDED, class, flag, part};
 use super::trees::{NOTHING, Node, UNKNOWN, is_leaf};
+use super::wishes::{Wishes, take};
 use crate::game::{Turn, YIELD};
 use crate::playout::{CopyId, EventId};
 
@@ -62,13 +63,13 @@ pub struct Edge {
     pub completed: bool,
     /// The keys that it discharges.
     pub discharged: SetId,
-    /// Which row it leads to.
+    /// Where the row begins that it leads to.
     row: u32,
 }
 
-/// A group of copies that is active in the state.
+/// A group of the state that may go on when attributes change.
 #[derive(Clone, Copy, Debug)]
-struct Active {
+struct Watching {
     group: GroupId,
     field: u32,
 }
@@ -86,10 +87,9 @@ pub struct PackedMoves {
     edges: Vec<Edge>,
     words: usize,
     rows: Vec<u64>,
-    active: Vec<Active>,
-    wishes: Vec<u64>,
-    candidates: Vec<u32>,
-    target: Vec<u64>,
+    watching: Vec<Watching>,
+    wishes: Wishes,
+    candidates: Vec<u64>,
     fired: Vec<(u32, u32)>,
     narrow: Vec<(u32, u32)>,
 }
@@ -104,10 +104,9 @@ impl Default for PackedMoves {
             edges: Vec::new(),
             words: 1,
             rows: Vec::new(),
-            active: Vec::new(),
-            wishes: Vec::new(),
+            watching: Vec::new(),
+            wishes: Wishes::default(),
             candidates: Vec::new(),
-            target: Vec::new(),
             fired: Vec::new(),
             narrow: Vec::new(),
         }
@@ -125,7 +124,7 @@ impl PackedMoves {
     #[must_use]
     #[inline]
     pub fn target(&self, edge: &Edge) -> &[u64] {
-        &self.rows[edge.row as usize * self.words..(edge.row as usize + 1) * self.words]
+        &self.rows[edge.row as usize..][..self.words]
     }
 
     /// The keys that are open, as a bit for each, 64 a word; words that are left out are 0.
@@ -141,23 +140,26 @@ impl PackedMoves {
         self.open_keys.clear();
         self.edges.clear();
         self.rows.clear();
-        self.active.clear();
-        self.wishes.clear();
+        self.watching.clear();
     }
 
-    /// Appends a move to `self.target`.
+    /// Appends a move to the last of the rows.
     fn push(&mut self, event: EventId, step: Step, end: Option<Turn>) {
-        let row = (self.rows.len() / self.words) as u32;
-        self.rows.extend_from_slice(&self.target);
+        let row = (self.rows.len() - self.words) as u32;
         let Step { flags, discharged } = step;
         let completed = flags & flag::COMPLETED != 0;
         self.edges.push(Edge { event, end, completed, discharged, row });
     }
 
+    /// Gives up the last of the rows.
+    fn drop_row(&mut self) {
+        self.rows.truncate(self.rows.len() - self.words);
+    }
+
     /// Appends a move to this state.
     pub(super) fn push_row(&mut self, edge: (EventId, Option<Turn>, bool, SetId), row: &[u64]) {
         let (event, end, completed, discharged) = edge;
-        let place = (self.rows.len() / self.words) as u32;
+        let place = self.rows.len() as u32;
         self.rows.extend_from_slice(row);
         self.edges.push(Edge { event, end, completed, discharged, row: place });
     }
@@ -201,13 +203,17 @@ impl Successors {
     ) -> Result<(), Miss> {
         room.clear(self.layout.words());
         survey(&mut &*self, row, room)?;
-        let of_environment =
-            [class::ENVIRONMENT_COMMITTED, class::ENVIRONMENT_URGENT, class::ENVIRONMENT].map(u64::from);
-        let wishes = room.wishes.iter().filter(|wish| of_environment.contains(&(*wish >> 40)));
+        room.candidates.clear();
+        room.candidates.resize(room.wishes.words(), 0);
+        add_caused(room);
         owed.clear();
-        owed.extend(wishes.map(|&wish| self.by_rank[(wish as u32 >> 1) as usize]));
+        for (index, &word) in room.candidates.iter().enumerate() {
+            let mut bits = word;
+            while bits != 0 {
+                owed.push(self.by_rank[take(&mut bits, index)]);
+            }
+        }
         owed.sort_unstable();
-        owed.dedup();
         Ok(())
     }
 }
@@ -244,7 +250,6 @@ pub(super) fn moves<S: Source>(source: &mut S, row: &[u64], out: &mut PackedMove
     out.clear(source.tables().layout.words());
     survey(source, row, out)?;
     let yielded = source.tables().layout.field(YIELDED).read(row) != 0;
-    let mut next = 0;
     for (by_system, of_system, by_environment, of_environment) in [
         (
             Turn::SystemCommitted,
@@ -254,16 +259,18 @@ pub(super) fn moves<S: Source>(source: &mut S, row: &[u64], out: &mut PackedMove
         ),
         (Turn::SystemUrgent, class::SYSTEM_URGENT, Turn::EnvironmentUrgent, class::ENVIRONMENT_URGENT),
     ] {
-        if system_moves(source, row, of_system, &mut next, out)? {
+        if system_moves(source, row, of_system, out)? {
             out.turn = by_system;
             return Ok(());
+        }
+        if !out.wishes.has(of_environment) {
+            continue;
         }
         // Moves that do not decide the turn, because of what is relaxed: the system may make one of them.
         let offered = out.edges.len();
         out.candidates.clear();
-        while let Some(rank) = take(&out.wishes, &mut next, of_environment) {
-            out.candidates.push(rank >> 1);
-        }
+        out.candidates.resize(out.wishes.words(), 0);
+        out.wishes.add_to(of_environment, &mut out.candidates);
         if environment_moves(source, row, out)? {
             if offered > 0 && !yielded {
                 out.edges.truncate(offered);
@@ -279,60 +286,63 @@ pub(super) fn moves<S: Source>(source: &mut S, row: &[u64], out: &mut PackedMove
     if yielded {
         out.edges.clear();
     } else {
-        system_moves(source, row, class::SYSTEM_EVENTUALLY, &mut next, out)?;
+        system_moves(source, row, class::SYSTEM_EVENTUALLY, out)?;
         if !out.edges.is_empty() {
             offer_yield(source.tables(), row, out);
             return Ok(());
         }
     }
-    all_candidates(source.tables(), out);
+    out.candidates.clear();
+    out.candidates.extend_from_slice(&source.tables().spontaneous);
+    add_caused(out);
     environment_moves(source, row, out)?;
     out.turn = Turn::EnvironmentAny;
     out.silent = !source.tables().classic || out.edges.is_empty();
     Ok(())
 }
 
-/// Finds the active groups, the open keys, and what is asked for: class, place in the order of texts, and whether only
-/// a relaxed guarantee asks.
+/// Finds what is asked for, the open keys, and the groups that may go on when attributes change.
 fn survey<S: Source>(source: &mut S, row: &[u64], out: &mut PackedMoves) -> Result<(), Miss> {
-    let tables = source.tables();
-    let PackedMoves { active, open_keys, .. } = out;
-    open_keys.resize(tables.key_words(), 0);
-    tables.active(row, |group, field| {
-        active.push(Active { group, field });
-        tables.add_open_keys(group, open_keys);
-    });
-    for index in 0..out.active.len() {
-        let offers = leaf(source, Place::Offers(out.active[index].group), row, row)?;
-        if offers != NOTHING {
-            let tables = source.tables();
-            for wish in part(&tables.wishes, tables.offers[offers as usize]) {
-                let Wish { class, event, relaxed } = *wish;
-                out.wishes.push(u64::from(class) << 40 | u64::from(event) << 1 | u64::from(relaxed));
+    loop {
+        let events = source.tables().events.len();
+        let PackedMoves { watching, open_keys, wishes, .. } = &mut *out;
+        wishes.clear(events);
+        watching.clear();
+        open_keys.clear();
+        open_keys.resize(source.tables().key_words(), 0);
+        for (index, &word) in row.iter().enumerate() {
+            let mut bits = word & source.tables().layout.slots(index);
+            while bits != 0 {
+                let tables = source.tables();
+                let (field, value) = tables.layout.take(index, word, &mut bits);
+                let group = tables.group(field, value);
+                tables.add_open_keys(group, open_keys);
+                if tables.entries[group as usize].settling != NOTHING {
+                    watching.push(Watching { group, field });
+                }
+                let offers = leaf(source, Place::Offers(group), row, row)?;
+                if offers != NOTHING {
+                    let tables = source.tables();
+                    for wish in part(&tables.wishes, tables.offers[offers as usize]) {
+                        let rank = tables.events[wish.event as usize].rank;
+                        wishes.insert(wish.class, wish.relaxed, rank);
+                    }
+                }
             }
         }
+        // What was just found out may have brought new events, and with them other places in the order.
+        if source.tables().events.len() == events {
+            return Ok(());
+        }
     }
-    // Only now: what was just found out may have brought new events.
-    let events = &source.tables().events;
-    for wish in &mut out.wishes {
-        let rank = events[(*wish as u32 >> 1) as usize].rank;
-        *wish = *wish >> 40 << 40 | u64::from(rank) << 1 | *wish & 1;
-    }
-    if out.wishes.len() > 1 {
-        out.wishes.sort_unstable();
-        // The same event is asked for once; what a guarantee in force asks for comes first.
-        out.wishes.dedup_by_key(|wish| *wish >> 1);
-    }
-    Ok(())
 }
 
-/// The next wish of a class, without the class.
-fn take(wishes: &[u64], next: &mut usize, class: u8) -> Option<u32> {
-    let wish = *wishes.get(*next)?;
-    (wish >> 40 == u64::from(class)).then(|| {
-        *next += 1;
-        wish as u32
-    })
+/// Adds to the candidates what assumptions say that the environment sends.
+fn add_caused(out: &mut PackedMoves) {
+    let PackedMoves { wishes, candidates, .. } = out;
+    for class in [class::ENVIRONMENT_COMMITTED, class::ENVIRONMENT_URGENT, class::ENVIRONMENT] {
+        wishes.add_to(class, candidates);
+    }
 }
 
 /// Appends the system's executable events of one class; whether they decide the turn. They do if one is among them
@@ -341,26 +351,26 @@ fn system_moves<S: Source>(
     source: &mut S,
     row: &[u64],
     class: u8,
-    next: &mut usize,
     out: &mut PackedMoves,
 ) -> Result<bool, Miss> {
+    if !out.wishes.has(class) {
+        return Ok(false);
+    }
     let carried = out.edges.len();
     let classic = source.tables().classic;
     let barred = flag::GUARANTEE | if classic { 0 } else { flag::ASSUMPTION };
     let freed = flag::EXCUSED_GUARANTEE | if classic { 0 } else { flag::EXCUSED_ASSUMPTION };
     let mut decides = false;
-    while let Some(wish) = take(&out.wishes, next, class) {
-        let event = source.tables().by_rank[(wish >> 1) as usize];
-        if leaf(source, Place::Link(event), row, row)? != NOTHING {
-            continue;
+    for index in 0..out.wishes.words() {
+        let (mut bits, firm) = out.wishes.word(class, index);
+        while bits != 0 {
+            let is_firm = firm & bits & bits.wrapping_neg() != 0;
+            let event = source.tables().by_rank[take(&mut bits, index)];
+            let Some(step) = step(source, row, event, barred, out)? else { continue };
+            let breaks_assumption = step.flags & flag::ASSUMPTION != 0;
+            decides |= is_firm && step.flags & freed == 0;
+            admit(source, event, step, breaks_assumption.then_some(Turn::Won), out)?;
         }
-        let step = step(source, row, event, barred, out)?;
-        if step.flags & barred != 0 {
-            continue;
-        }
-        let breaks_assumption = step.flags & flag::ASSUMPTION != 0;
-        decides = decides || wish & 1 == 0 && step.flags & freed == 0;
-        admit(source, event, step, breaks_assumption.then_some(Turn::Won), out)?;
     }
     if carried > 0 {
         let events = &source.tables().events;
@@ -370,43 +380,21 @@ fn system_moves<S: Source>(
     Ok(decides)
 }
 
-/// Appends the environment's executable events among the candidates, which are given in order; whether one of them needs
-/// nothing relaxed to be executable.
+/// Appends the environment's executable events among the candidates; whether one of them needs nothing relaxed to be
+/// executable.
 fn environment_moves<S: Source>(source: &mut S, row: &[u64], out: &mut PackedMoves) -> Result<bool, Miss> {
     let mut decides = false;
     for index in 0..out.candidates.len() {
-        let event = source.tables().by_rank[out.candidates[index] as usize];
-        if leaf(source, Place::Link(event), row, row)? != NOTHING {
-            continue;
+        let mut bits = out.candidates[index];
+        while bits != 0 {
+            let event = source.tables().by_rank[take(&mut bits, index)];
+            let Some(step) = step(source, row, event, flag::ASSUMPTION, out)? else { continue };
+            decides |= step.flags & flag::EXCUSED_ASSUMPTION == 0;
+            let lost = (step.flags & flag::GUARANTEE != 0).then_some(Turn::Lost);
+            admit(source, event, step, lost, out)?;
         }
-        let step = step(source, row, event, flag::ASSUMPTION, out)?;
-        if step.flags & flag::ASSUMPTION != 0 {
-            continue;
-        }
-        decides = decides || step.flags & flag::EXCUSED_ASSUMPTION == 0;
-        let lost = (step.flags & flag::GUARANTEE != 0).then_some(Turn::Lost);
-        admit(source, event, step, lost, out)?;
     }
     Ok(decides)
-}
-
-/// The candidates of a state in which the environment may send anything: spontaneous events, and what assumptions
-/// say that it sends.
-fn all_candidates(tables: &Successors, out: &mut PackedMoves) {
-    let PackedMoves { wishes, candidates, .. } = out;
-    candidates.clear();
-    candidates.extend(tables.spontaneous.iter().map(|&event| tables.events[event as usize].rank));
-    let spontaneous = candidates.len();
-    for wish in wishes.iter() {
-        let class = (wish >> 40) as u8;
-        if matches!(class, class::ENVIRONMENT_COMMITTED | class::ENVIRONMENT_URGENT | class::ENVIRONMENT) {
-            candidates.push(*wish as u32 >> 1);
-        }
-    }
-    if candidates.len() > spontaneous {
-        candidates.sort_unstable();
-        candidates.dedup();
-    }
 }
 
 /// Appends a move if it can be.
@@ -426,53 +414,57 @@ fn admit<S: Source>(
 
 /// Turn 5: the system makes one of the moves that are there, or yields.
 fn offer_yield(tables: &Successors, row: &[u64], out: &mut PackedMoves) {
-    out.target.clear();
-    out.target.extend_from_slice(row);
-    tables.layout.field(YIELDED).write(&mut out.target, 1);
+    let start = out.rows.len();
+    out.rows.extend_from_slice(row);
+    tables.layout.field(YIELDED).write(&mut out.rows[start..], 1);
     out.push(YIELD, Step { flags: 0, discharged: 0 }, None);
     out.turn = Turn::SystemEventually;
 }
 
-/// What an event does; the state after it is left in `out.target`, and what did not fit there in `out.narrow`. If it violates
-/// what is `barred`, nobody asks for that state.
+/// What an event does, if it has its link and violates nothing that is `barred`. The state after it is then the last of
+/// the rows; what did not fit there is in `out.narrow`.
 fn step<S: Source>(
     source: &mut S,
     row: &[u64],
     event: EventId,
     barred: u8,
     out: &mut PackedMoves,
-) -> Result<Step, Miss> {
-    let PackedMoves { active, target, fired, narrow, .. } = out;
-    target.clear();
-    target.extend_from_slice(row);
+) -> Result<Option<Step>, Miss> {
+    if leaf(source, Place::Link(event), row, row)? != NOTHING {
+        return Ok(None);
+    }
+    let start = out.rows.len();
+    out.rows.extend_from_slice(row);
+    let PackedMoves { watching, rows, fired, narrow, .. } = &mut *out;
+    let target = &mut rows[start..];
     narrow.clear();
     fired.clear();
-    let effects = leaf(source, Place::Effects(event), row, row)?;
-    let tables = source.tables();
-    tables.layout.field(YIELDED).write(target, 0);
-    if effects != NOTHING {
-        for &(field, value) in part(&tables.assignments, tables.effects[effects as usize]) {
-            if !tables.layout.field(field as usize).fits(value) {
-                // What copies do depends on the value: nothing can be said before there is room for it.
-                source.fill(Gap::Narrow(field, value), row, target)?;
-                return Err(Miss);
-            }
-            tables.layout.field(field as usize).write(target, value);
+    let changed = assign(source, row, event, target)?;
+    let mut flags = 0;
+    for (index, &word) in row.iter().enumerate() {
+        let mut bits = word & source.tables().concerns.mask(event)[index];
+        while bits != 0 {
+            let tables = source.tables();
+            let (field, value) = tables.layout.take(index, word, &mut bits);
+            let place = Place::Reaction(tables.group(field, value), event);
+            flags |= react(source, place, field, row, target, fired)?;
         }
     }
-    let (mut flags, mut discharged) = (0, 0);
-    for one in active.iter() {
-        let reaction = leaf(source, Place::Reaction(one.group, event), row, target)?;
-        if reaction != NOTHING {
-            fired.push((reaction, one.field));
-            flags |= source.tables().reactions[reaction as usize].flags;
+    if changed {
+        for &Watching { group, field } in watching.iter() {
+            let tables = source.tables();
+            if !tables.layout.field(field as usize).is_in(tables.concerns.mask(event)) {
+                flags |= react(source, Place::Settling(group, event), field, row, target, fired)?;
+            }
         }
     }
     let starts = leaf(source, Place::Starts(event), row, target)?;
     flags |= source.tables().reactions[starts as usize].flags;
     if flags & barred != 0 {
-        return Ok(Step { flags, discharged });
+        out.drop_row();
+        return Ok(None);
     }
+    let mut discharged = 0;
     for &(reaction, field) in fired.iter() {
         let tables = source.tables();
         let reaction = tables.reactions[reaction as usize];
@@ -488,7 +480,46 @@ fn step<S: Source>(
             join(source, target, narrow, copy)?;
         }
     }
-    Ok(Step { flags, discharged })
+    Ok(Some(Step { flags, discharged }))
+}
+
+/// Runs the effects of an event; whether an attribute changes.
+fn assign<S: Source>(source: &mut S, row: &[u64], event: EventId, target: &mut [u64]) -> Result<bool, Miss> {
+    let effects = leaf(source, Place::Effects(event), row, row)?;
+    let tables = source.tables();
+    tables.layout.field(YIELDED).write(target, 0);
+    let mut changed = false;
+    if effects != NOTHING {
+        for &(field, value) in part(&tables.assignments, tables.effects[effects as usize]) {
+            let place = tables.layout.field(field as usize);
+            if !place.fits(value) {
+                // What copies do depends on the value: nothing can be said before there is room for it.
+                source.fill(Gap::Narrow(field, value), row, target)?;
+                return Err(Miss);
+            }
+            changed |= place.read(row) != value;
+            place.write(target, value);
+        }
+    }
+    Ok(changed)
+}
+
+/// Notes what becomes of a group; what that violates.
+#[inline]
+fn react<S: Source>(
+    source: &mut S,
+    place: Place,
+    field: u32,
+    before: &[u64],
+    after: &[u64],
+    fired: &mut Vec<(u32, u32)>,
+) -> Result<u8, Miss> {
+    let reaction = leaf(source, place, before, after)?;
+    if reaction == NOTHING {
+        return Ok(0);
+    }
+    fired.push((reaction, field));
+    Ok(source.tables().reactions[reaction as usize].flags)
 }
 
 /// One more copy comes to its slot.

@@ -1,5 +1,6 @@
 //! Everything that is known of the specification's steps, by small numbers.
 
+use super::concerns::Concerns;
 use super::groups::{GroupId, Groups};
 use super::layout::Layout;
 use super::sets::{SetId, Sets};
@@ -59,6 +60,8 @@ pub(super) mod class {
     pub(in crate::successors) const SYSTEM_EVENTUALLY: u8 = 4;
     /// Assumptions that say that an event comes some time, or only may come.
     pub(in crate::successors) const ENVIRONMENT: u8 = 5;
+    /// How many there are.
+    pub(in crate::successors) const COUNT: usize = 6;
 }
 
 /// An event that a group asks for.
@@ -89,8 +92,20 @@ pub(super) enum Place {
     Link(EventId),
     Effects(EventId),
     Starts(EventId),
+    /// What an event does to a group that it concerns.
     Reaction(GroupId, EventId),
+    /// What an event does to a group that it does not concern: the same for all of these.
+    Settling(GroupId, EventId),
     Offers(GroupId),
+}
+
+/// What is known of one group, beside what events do to it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct GroupEntry {
+    /// A leaf is an index into `offers`.
+    pub(super) offers: Node,
+    /// A leaf is an index into `reactions`.
+    pub(super) settling: Node,
 }
 
 /// The successor function's tables.
@@ -100,6 +115,7 @@ pub(crate) struct Successors {
     pub(super) layout: Layout,
     pub(super) trees: Trees,
     pub(super) groups: Groups,
+    pub(super) concerns: Concerns,
     pub(super) sets: Sets,
     pub(super) attributes: Vec<Attribute>,
     /// Per slot of the domain: the field, if effects can change it.
@@ -107,13 +123,12 @@ pub(crate) struct Successors {
     pub(super) events: Vec<EventEntry>,
     /// Events by the order of their texts.
     pub(super) by_rank: Vec<EventId>,
-    /// Events of the environment that need no assumption to cause them, ascending.
-    pub(super) spontaneous: Vec<EventId>,
+    /// Events of the environment that need no assumption to cause them, as bits in the order of texts.
+    pub(super) spontaneous: Vec<u64>,
     /// Roots by group and event, `stride` a group.
     reacted: Vec<Node>,
     stride: usize,
-    /// Per group: the root of what it asks for; a leaf is an index into `offers`.
-    offered: Vec<Node>,
+    pub(super) entries: Vec<GroupEntry>,
     /// Per group: the keys that are open, as bits in `key_words` words.
     open: Vec<u64>,
     key_words: usize,
@@ -151,6 +166,7 @@ impl Successors {
             layout,
             trees: Trees::default(),
             groups: Groups::default(),
+            concerns: Concerns::default(),
             sets: Sets::default(),
             attributes,
             field_of,
@@ -159,7 +175,7 @@ impl Successors {
             spontaneous: Vec::new(),
             reacted: Vec::new(),
             stride: 0,
-            offered: Vec::new(),
+            entries: Vec::new(),
             open: Vec::new(),
             key_words: 1,
             reactions: vec![nothing],
@@ -176,7 +192,9 @@ impl Successors {
     /// Takes note of events, copies and groups that are new.
     pub(super) fn keep_up(&mut self, playout: &Playout<'_>) {
         for copy in self.groups.copies()..playout.copy_count() {
-            self.groups.add_copy(playout.copy(copy as CopyId));
+            if self.groups.add_copy(playout.copy(copy as CopyId)) {
+                self.concerns.add_slot(playout, copy as CopyId);
+            }
         }
         while self.layout.len() < self.first_slot() + self.groups.slots() {
             self.layout.push();
@@ -194,7 +212,7 @@ impl Successors {
             (self.reacted, self.stride) = (reacted, stride);
         }
         self.reacted.resize(self.groups.len() * self.stride, UNKNOWN);
-        self.offered.resize(self.groups.len(), UNKNOWN);
+        self.entries.resize(self.groups.len(), GroupEntry { offers: UNKNOWN, settling: UNKNOWN });
         self.add_open(playout);
     }
 
@@ -229,14 +247,18 @@ impl Successors {
                 starts: UNKNOWN,
                 rank: 0,
             });
-            if playout.event(event).spontaneous && playout.is_foreseen(event) {
-                self.spontaneous.push(event);
-            }
+            self.concerns.add_event(playout);
             self.by_rank.push(event);
         }
+        self.concerns.lay_out(&self.layout, self.first_slot());
         self.by_rank.sort_by(|&a, &b| playout.event(a).text.cmp(&playout.event(b).text));
-        for (rank, &event) in self.by_rank.iter().enumerate() {
-            self.events[event as usize].rank = rank as u32;
+        self.spontaneous.clear();
+        self.spontaneous.resize(words_for(self.by_rank.len() as u32), 0);
+        for (rank, &event) in (0..).zip(&self.by_rank) {
+            self.events[event as usize].rank = rank;
+            if playout.event(event).spontaneous && playout.is_foreseen(event) {
+                insert(&mut self.spontaneous, rank);
+            }
         }
     }
 
@@ -251,7 +273,8 @@ impl Successors {
             Place::Effects(event) => self.events[event as usize].effects,
             Place::Starts(event) => self.events[event as usize].starts,
             Place::Reaction(group, event) => self.reacted[group as usize * self.stride + event as usize],
-            Place::Offers(group) => self.offered[group as usize],
+            Place::Settling(group, _) => self.entries[group as usize].settling,
+            Place::Offers(group) => self.entries[group as usize].offers,
         }
     }
 
@@ -261,7 +284,8 @@ impl Successors {
             Place::Effects(event) => &mut self.events[event as usize].effects,
             Place::Starts(event) => &mut self.events[event as usize].starts,
             Place::Reaction(group, event) => &mut self.reacted[group as usize * self.stride + event as usize],
-            Place::Offers(group) => &mut self.offered[group as usize],
+            Place::Settling(group, _) => &mut self.entries[group as usize].settling,
+            Place::Offers(group) => &mut self.entries[group as usize].offers,
         }
     }
 
@@ -278,6 +302,7 @@ impl Successors {
     /// From now on fields lie as this says.
     pub(crate) fn set_layout(&mut self, layout: Layout) {
         self.layout = layout;
+        self.concerns.lay_out(&self.layout, self.first_slot());
     }
 
     /// The sets of keys that moves discharge, and others that were asked for.
@@ -292,6 +317,12 @@ impl Successors {
         self.layout.occupied(row, |field, value| {
             visit(self.groups.at(field as usize - first, value), field);
         });
+    }
+
+    /// The group that a slot's field stands for with a value that is not 0.
+    #[inline]
+    pub(super) fn group(&self, field: u32, value: u32) -> GroupId {
+        self.groups.at(field as usize - self.first_slot(), value)
     }
 
     /// Words of a set of open keys.
@@ -405,7 +436,9 @@ impl Successors {
         self.trees.memory()
             + self.groups.memory()
             + self.sets.memory()
-            + (self.reacted.capacity() + self.offered.capacity()) * size_of::<u32>()
+            + self.concerns.memory()
+            + self.reacted.capacity() * size_of::<Node>()
+            + self.entries.capacity() * size_of::<GroupEntry>()
             + self.open.capacity() * size_of::<u64>()
             + self.reactions.capacity() * size_of::<Reaction>()
             + (self.effects.capacity() + self.assignments.capacity() + self.offers.capacity())

@@ -1,0 +1,64 @@
+//! Which slots an event concerns: those whose scenario has a message or a constraint of its operation, sender and
+//! receiver. Copies elsewhere stay where they are, unless its effects let them go on; so most events concern few slots,
+//! and the bits of these in a row tell at once which copies are to be asked.
+
+use super::layout::Layout;
+use crate::playout::{CopyId, EventId, Playout};
+
+/// For all events and slots known so far.
+#[derive(Debug, Default)]
+pub(super) struct Concerns {
+    /// Per slot: one of its copies.
+    copies: Vec<CopyId>,
+    /// Per event: the slots that it concerns, ascending.
+    slots: Vec<Vec<u32>>,
+    /// Per event: the bits of these slots in a row, in `words` words.
+    masks: Vec<u64>,
+    words: usize,
+}
+
+impl Concerns {
+    /// Adds a slot that has this copy.
+    pub(super) fn add_slot(&mut self, playout: &Playout<'_>, copy: CopyId) {
+        let slot = self.copies.len() as u32;
+        self.copies.push(copy);
+        for (event, slots) in self.slots.iter_mut().enumerate() {
+            if playout.concerns(event as EventId, copy) {
+                slots.push(slot);
+            }
+        }
+    }
+
+    /// Adds the next event.
+    pub(super) fn add_event(&mut self, playout: &Playout<'_>) {
+        let event = self.slots.len() as EventId;
+        let slots = (0..).zip(&self.copies).filter(|&(_, &copy)| playout.concerns(event, copy));
+        self.slots.push(slots.map(|(slot, _)| slot).collect());
+    }
+
+    /// Fields lie as this says; those of slots begin with `first`.
+    pub(super) fn lay_out(&mut self, layout: &Layout, first: usize) {
+        self.words = layout.words();
+        self.masks.clear();
+        self.masks.resize(self.slots.len() * self.words, 0);
+        for (slots, mask) in self.slots.iter().zip(self.masks.chunks_exact_mut(self.words)) {
+            for &slot in slots {
+                layout.field(first + slot as usize).fill(mask);
+            }
+        }
+    }
+
+    /// The bits of the slots that an event concerns, in a row.
+    #[inline]
+    pub(super) fn mask(&self, event: EventId) -> &[u64] {
+        &self.masks[event as usize * self.words..][..self.words]
+    }
+
+    /// Bytes held, about.
+    pub(super) fn memory(&self) -> usize {
+        let pairs: usize = self.slots.iter().map(Vec::capacity).sum();
+        (self.copies.capacity() + pairs) * size_of::<u32>()
+            + self.slots.capacity() * size_of::<Vec<u32>>()
+            + self.masks.capacity() * size_of::<u64>()
+    }
+}
