@@ -62,3 +62,37 @@ impl Concerns {
             + self.masks.capacity() * size_of::<u64>()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::explore::{Limits, explore_with};
+    use crate::playout::{EventId, Playout, Semantics};
+    use crate::testing::{spec, world};
+
+    /// Which scenarios' copies the event concerns.
+    fn concerned(playout: &Playout<'_>, event: &str) -> Vec<String> {
+        let event = (0..playout.event_count() as EventId).find(|&id| playout.event(id).text == event);
+        let event = event.expect("an event");
+        let copies = (0..playout.copy_count() as u32).filter(|&copy| playout.concerns(event, copy));
+        let scenarios = copies.map(|copy| playout.copy(copy).scenario);
+        let mut names: Vec<String> =
+            scenarios.map(|scenario| playout.spec().scenarios[scenario].name.clone()).collect();
+        names.sort();
+        names.dedup();
+        names
+    }
+
+    #[test]
+    fn messages_and_constraints_concern_a_copy() {
+        let spec = spec(&world(
+            "guarantee scenario Shine { user -> control.press()  urgent control -> lamp.on() }
+             guarantee scenario Dark { user -> control.release()  urgent control -> lamp.off() }
+             constraints [ forbidden user -> control.press() ]",
+        ));
+        let mut playout = Playout::new(&spec, Semantics::default()).expect("few events");
+        explore_with(&mut playout, &Limits::default()).expect("a game");
+        assert_eq!(concerned(&playout, "user -> control.press()"), ["Dark", "Shine"]);
+        assert_eq!(concerned(&playout, "user -> control.release()"), ["Dark"]);
+        assert_eq!(concerned(&playout, "control -> lamp.on()"), ["Shine"]);
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::groups::GroupId;
 use super::moves::{Gap, Miss, PackedMoves, Source, moves};
-use super::tables::{Place, Reaction, Successors, Wish, class};
+use super::tables::{Place, Reaction, Successors, Wish, class, flag};
 use super::trees::{Look, NOTHING, Node};
 use crate::game::YIELD;
 use crate::model::{Moment, Reads, Value};
@@ -183,8 +183,11 @@ impl Learner<'_, '_> {
         for breach in outcome.at_once.breaches.iter().chain(&outcome.in_settling.breaches) {
             reaction.flags |= Successors::violation(self.playout, breach.scenario);
         }
+        if !outcome.at_once.breaches.is_empty() {
+            reaction.flags |= flag::AT_ONCE;
+        }
         if outcome.completed {
-            reaction.flags |= super::tables::flag::COMPLETED;
+            reaction.flags |= flag::COMPLETED;
         }
         let mut discharged: Vec<KeyId> = outcome.discharged.clone();
         self.playout.retain_counted(&mut discharged);

@@ -447,7 +447,13 @@ fn step<S: Source>(
             let tables = source.tables();
             let (field, value) = tables.layout.take(index, word, &mut bits);
             let place = Place::Reaction(tables.group(field, value), event);
-            flags |= react(source, place, field, row, target, fired)?;
+            let reaction = react(source, place, field, row, target, fired)?;
+            flags |= reaction;
+            // All copies of a group violate the same.
+            if reaction & barred != 0 && reaction & flag::AT_ONCE != 0 {
+                out.drop_row();
+                return Ok(None);
+            }
         }
     }
     if changed {
@@ -505,7 +511,7 @@ fn assign<S: Source>(source: &mut S, row: &[u64], event: EventId, target: &mut [
 }
 
 /// Notes what becomes of a group; what that violates.
-#[inline]
+#[inline(always)]
 fn react<S: Source>(
     source: &mut S,
     place: Place,
@@ -523,6 +529,7 @@ fn react<S: Source>(
 }
 
 /// One more copy comes to its slot.
+#[inline]
 fn join<S: Source>(
     source: &mut S,
     target: &mut [u64],
@@ -542,6 +549,7 @@ fn join<S: Source>(
     }
 }
 
+#[inline]
 fn put(tables: &Successors, target: &mut [u64], narrow: &mut Vec<(u32, u32)>, field: u32, value: u32) {
     let place = tables.layout.field(field as usize);
     if place.fits(value) {

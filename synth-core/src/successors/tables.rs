@@ -49,6 +49,8 @@ pub(super) mod flag {
     pub(in crate::successors) const EXCUSED_ASSUMPTION: u8 = 8;
     /// A copy of the scenario that is followed comes to its end.
     pub(in crate::successors) const COMPLETED: u8 = 16;
+    /// The event itself violates, whatever it does to others. What only shows in settling counts unless there is a mistake.
+    pub(in crate::successors) const AT_ONCE: u8 = 32;
 }
 
 /// In what order wishes are looked at.
@@ -106,6 +108,8 @@ pub(super) struct GroupEntry {
     pub(super) offers: Node,
     /// A leaf is an index into `reactions`.
     pub(super) settling: Node,
+    /// The keys that it has open: a range of `open`.
+    open: (u32, u32),
 }
 
 /// The successor function's tables.
@@ -129,8 +133,9 @@ pub(crate) struct Successors {
     reacted: Vec<Node>,
     stride: usize,
     pub(super) entries: Vec<GroupEntry>,
-    /// Per group: the keys that are open, as bits in `key_words` words.
-    open: Vec<u64>,
+    /// Words of sets of open keys that are not 0, and their places.
+    open: Vec<(u32, u64)>,
+    /// Words of a set of open keys.
     key_words: usize,
     /// What leaves stand for. The first of each kind stands for nothing.
     pub(super) reactions: Vec<Reaction>,
@@ -212,28 +217,24 @@ impl Successors {
             (self.reacted, self.stride) = (reacted, stride);
         }
         self.reacted.resize(self.groups.len() * self.stride, UNKNOWN);
-        self.entries.resize(self.groups.len(), GroupEntry { offers: UNKNOWN, settling: UNKNOWN });
-        self.add_open(playout);
+        self.add_entries(playout);
     }
 
-    /// Takes note of the keys that new groups have open.
-    fn add_open(&mut self, playout: &Playout<'_>) {
+    /// Takes note of the keys that new groups have open; nothing else is known of them.
+    fn add_entries(&mut self, playout: &Playout<'_>) {
         let mut keys: Vec<KeyId> = Vec::new();
-        for group in self.open.len() / self.key_words..self.groups.len() {
+        for group in self.entries.len()..self.groups.len() {
             keys.clear();
             playout.open_of(&self.groups.get(group as GroupId).copies, &mut keys);
-            let words = words_for(keys.iter().max().map_or(0, |most| most + 1));
-            if words > self.key_words {
-                let mut open = Vec::with_capacity(self.groups.len() * words);
-                for row in self.open.chunks(self.key_words) {
-                    open.extend_from_slice(row);
-                    open.resize(open.len() + words - row.len(), 0);
-                }
-                (self.open, self.key_words) = (open, words);
+            keys.sort_unstable();
+            let start = self.open.len() as u32;
+            for keys in keys.chunk_by(|a, b| a / u64::BITS == b / u64::BITS) {
+                let word = keys.iter().fold(0, |word, key| word | 1 << (key % u64::BITS));
+                self.open.push((keys[0] / u64::BITS, word));
             }
-            let start = self.open.len();
-            self.open.resize(start + self.key_words, 0);
-            keys.iter().for_each(|&key| insert(&mut self.open[start..], key));
+            self.key_words = self.key_words.max(words_for(keys.last().map_or(0, |most| most + 1)));
+            let open = (start, self.open.len() as u32);
+            self.entries.push(GroupEntry { offers: UNKNOWN, settling: UNKNOWN, open });
         }
     }
 
@@ -333,8 +334,9 @@ impl Successors {
     /// Adds the keys that a group has open to a set of bits.
     #[inline]
     pub(super) fn add_open_keys(&self, group: GroupId, open: &mut [u64]) {
-        let keys = &self.open[group as usize * self.key_words..][..self.key_words];
-        open.iter_mut().zip(keys).for_each(|(all, one)| *all |= one);
+        for &(index, keys) in part(&self.open, self.entries[group as usize].open) {
+            open[index as usize] |= keys;
+        }
     }
 
     /// The keys that are open in a state, as a bit for each, into a cleared list.
@@ -439,7 +441,7 @@ impl Successors {
             + self.concerns.memory()
             + self.reacted.capacity() * size_of::<Node>()
             + self.entries.capacity() * size_of::<GroupEntry>()
-            + self.open.capacity() * size_of::<u64>()
+            + self.open.capacity() * size_of::<(u32, u64)>()
             + self.reactions.capacity() * size_of::<Reaction>()
             + (self.effects.capacity() + self.assignments.capacity() + self.offers.capacity())
                 * size_of::<(u32, u32)>()
