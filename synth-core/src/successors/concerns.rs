@@ -2,7 +2,8 @@
 //! receiver. Copies elsewhere stay where they are, unless its effects let them go on; so most events concern few slots,
 //! and the bits of these in a row tell at once which copies are to be asked.
 
-use super::layout::Layout;
+use super::layout::{Field, Layout};
+use super::tables::flag;
 use crate::playout::{CopyId, EventId, Playout};
 
 /// For all events and slots known so far.
@@ -14,6 +15,9 @@ pub(super) struct Concerns {
     slots: Vec<Vec<u32>>,
     /// Per event: the bits of these slots in a row, in `words` words.
     masks: Vec<u64>,
+    /// Per event: the bits of slots whose copies, if there are any, violate a guarantee at once, whatever they are; and
+    /// those for assumptions.
+    bars: Vec<u64>,
     words: usize,
 }
 
@@ -43,9 +47,35 @@ impl Concerns {
         self.masks.resize(self.slots.len() * self.words, 0);
         for (slots, mask) in self.slots.iter().zip(self.masks.chunks_exact_mut(self.words)) {
             for &slot in slots {
-                layout.field(first + slot as usize).fill(mask);
+                layout.field(first + slot as usize).fill(mask, true);
             }
         }
+        self.bars.clear();
+        self.bars.resize(2 * self.masks.len(), 0);
+    }
+
+    /// The slots that an event concerns, ascending.
+    pub(super) fn slots(&self, event: EventId) -> &[u32] {
+        &self.slots[event as usize]
+    }
+
+    /// From now on this says what all copies of the slot with this field violate at once: no [`flag`] but those two.
+    pub(super) fn set_bar(&mut self, event: EventId, slot: Field, violated: u8) {
+        let start = 2 * event as usize * self.words;
+        let bars = self.bars[start..][..2 * self.words].chunks_exact_mut(self.words);
+        for (bars, kind) in bars.zip([flag::GUARANTEE, flag::ASSUMPTION]) {
+            slot.fill(bars, violated & kind != 0);
+        }
+    }
+
+    /// Whether it is plain that the event violates at once what is barred.
+    #[inline]
+    pub(super) fn is_barred(&self, event: EventId, row: &[u64], barred: u8) -> bool {
+        let start = 2 * event as usize * self.words;
+        let (guarantees, assumptions) = self.bars[start..][..2 * self.words].split_at(self.words);
+        let meets = |bars: &[u64]| row.iter().zip(bars).any(|(word, bars)| word & bars != 0);
+        barred & flag::GUARANTEE != 0 && meets(guarantees)
+            || barred & flag::ASSUMPTION != 0 && meets(assumptions)
     }
 
     /// The bits of the slots that an event concerns, in a row.
@@ -59,7 +89,7 @@ impl Concerns {
         let pairs: usize = self.slots.iter().map(Vec::capacity).sum();
         (self.copies.capacity() + pairs) * size_of::<u32>()
             + self.slots.capacity() * size_of::<Vec<u32>>()
-            + self.masks.capacity() * size_of::<u64>()
+            + (self.masks.capacity() + self.bars.capacity()) * size_of::<u64>()
     }
 }
 
@@ -91,8 +121,8 @@ mod tests {
         ));
         let mut playout = Playout::new(&spec, Semantics::default()).expect("few events");
         explore_with(&mut playout, &Limits::default()).expect("a game");
-        assert_eq!(concerned(&playout, "user -> control.press()"), ["Dark", "Shine"]);
-        assert_eq!(concerned(&playout, "user -> control.release()"), ["Dark"]);
-        assert_eq!(concerned(&playout, "control -> lamp.on()"), ["Shine"]);
+        assert_eq!(concerned(&playout, "user -> control.press()"), ["C.Dark", "C.Shine"]);
+        assert_eq!(concerned(&playout, "user -> control.release()"), ["C.Dark"]);
+        assert_eq!(concerned(&playout, "control -> lamp.on()"), ["C.Shine"]);
     }
 }

@@ -52,6 +52,18 @@ impl Groups {
         self.slots[slot][value as usize - 1]
     }
 
+    /// The groups of a slot.
+    pub(super) fn of_slot(&self, slot: u32) -> &[GroupId] {
+        &self.slots[slot as usize]
+    }
+
+    /// The slot of a copy that is known, and the value for the copy alone, if that is known.
+    #[inline]
+    pub(super) fn alone(&self, copy: CopyId) -> (u32, Option<u32>) {
+        let (slot, value) = self.alone[copy as usize];
+        (slot, (value != UNKNOWN).then_some(value))
+    }
+
     /// The slot of a copy that is known.
     pub(super) fn slot_of(&self, copy: CopyId) -> u32 {
         self.alone[copy as usize].0

@@ -23,9 +23,10 @@ impl Field {
         *word = *word & !(self.mask << self.shift) | u64::from(value) << self.shift;
     }
 
-    /// Sets all bits of the field.
-    pub(super) fn fill(self, mask: &mut [u64]) {
-        mask[self.word as usize] |= self.mask << self.shift;
+    /// Sets all bits of the field, or none.
+    pub(super) fn fill(self, mask: &mut [u64], all: bool) {
+        let (word, bits) = (&mut mask[self.word as usize], self.mask << self.shift);
+        *word = *word & !bits | if all { bits } else { 0 };
     }
 
     /// Whether the first bit of the field is set.

@@ -119,6 +119,10 @@ impl Learner<'_, '_> {
         let looks = self.looks(reads, before, after);
         let root = self.successors.root(place);
         *self.successors.root_mut(place) = self.successors.trees.grow(root, &looks, leaf);
+        if let Place::Reaction(group, event) = place {
+            let slot = self.successors.groups.slot_of(self.successors.groups.get(group).copies[0]);
+            self.successors.note_bar(slot, event);
+        }
         Ok(())
     }
 

@@ -366,6 +366,9 @@ fn system_moves<S: Source>(
         while bits != 0 {
             let is_firm = firm & bits & bits.wrapping_neg() != 0;
             let event = source.tables().by_rank[take(&mut bits, index)];
+            if source.tables().concerns.is_barred(event, row, barred) {
+                continue;
+            }
             let Some(step) = step(source, row, event, barred, out)? else { continue };
             let breaks_assumption = step.flags & flag::ASSUMPTION != 0;
             decides |= is_firm && step.flags & freed == 0;
@@ -388,6 +391,9 @@ fn environment_moves<S: Source>(source: &mut S, row: &[u64], out: &mut PackedMov
         let mut bits = out.candidates[index];
         while bits != 0 {
             let event = source.tables().by_rank[take(&mut bits, index)];
+            if source.tables().concerns.is_barred(event, row, flag::ASSUMPTION) {
+                continue;
+            }
             let Some(step) = step(source, row, event, flag::ASSUMPTION, out)? else { continue };
             decides |= step.flags & flag::EXCUSED_ASSUMPTION == 0;
             let lost = (step.flags & flag::GUARANTEE != 0).then_some(Turn::Lost);
@@ -528,7 +534,7 @@ fn react<S: Source>(
     Ok(source.tables().reactions[reaction as usize].flags)
 }
 
-/// One more copy comes to its slot.
+/// One more copy comes to its slot. Most slots are empty and have room.
 #[inline]
 fn join<S: Source>(
     source: &mut S,
@@ -537,9 +543,28 @@ fn join<S: Source>(
     copy: CopyId,
 ) -> Result<(), Miss> {
     let tables = source.tables();
-    let field = tables.first_slot() as u32 + tables.groups.slot_of(copy);
+    let (slot, alone) = tables.groups.alone(copy);
+    let field = tables.first_slot() as u32 + slot;
+    let place = tables.layout.field(field as usize);
+    match alone {
+        Some(value) if narrow.is_empty() && place.read(target) == 0 && place.fits(value) => {
+            place.write(target, value);
+            Ok(())
+        }
+        _ => join_others(source, target, narrow, field, copy),
+    }
+}
+
+fn join_others<S: Source>(
+    source: &mut S,
+    target: &mut [u64],
+    narrow: &mut Vec<(u32, u32)>,
+    field: u32,
+    copy: CopyId,
+) -> Result<(), Miss> {
     let pending = narrow.iter().rev().find(|(other, _)| *other == field);
-    let value = pending.map_or_else(|| tables.layout.field(field as usize).read(target), |&(_, value)| value);
+    let place = source.tables().layout.field(field as usize);
+    let value = pending.map_or_else(|| place.read(target), |&(_, value)| value);
     loop {
         if let Some(joined) = source.tables().groups.joined(value, copy) {
             put(source.tables(), target, narrow, field, joined);

@@ -4,7 +4,7 @@ use super::concerns::Concerns;
 use super::groups::{GroupId, Groups};
 use super::layout::Layout;
 use super::sets::{SetId, Sets};
-use super::trees::{NOTHING, Node, Trees, UNKNOWN};
+use super::trees::{NOTHING, Node, Trees, UNKNOWN, is_leaf};
 use crate::game::{KeySets, insert, words_for};
 use crate::intern::Indexed;
 use crate::model::{Kind, SlotId, Value};
@@ -204,7 +204,8 @@ impl Successors {
         while self.layout.len() < self.first_slot() + self.groups.slots() {
             self.layout.push();
         }
-        if self.events.len() < playout.event_count() {
+        let laid_out = self.events.len();
+        if laid_out < playout.event_count() {
             self.add_events(playout);
         }
         let stride = if self.stride < self.events.len() { self.events.len() * 5 / 4 } else { self.stride };
@@ -217,11 +218,14 @@ impl Successors {
             (self.reacted, self.stride) = (reacted, stride);
         }
         self.reacted.resize(self.groups.len() * self.stride, UNKNOWN);
-        self.add_entries(playout);
+        self.add_entries(playout, laid_out);
+        if laid_out < self.events.len() {
+            self.lay_out();
+        }
     }
 
-    /// Takes note of the keys that new groups have open; nothing else is known of them.
-    fn add_entries(&mut self, playout: &Playout<'_>) {
+    /// Takes note of the keys that new groups have open; nothing else is known of them. So many events have masks.
+    fn add_entries(&mut self, playout: &Playout<'_>, laid_out: usize) {
         let mut keys: Vec<KeyId> = Vec::new();
         for group in self.entries.len()..self.groups.len() {
             keys.clear();
@@ -234,7 +238,15 @@ impl Successors {
             }
             self.key_words = self.key_words.max(words_for(keys.last().map_or(0, |most| most + 1)));
             let open = (start, self.open.len() as u32);
-            self.entries.push(GroupEntry { offers: UNKNOWN, settling: UNKNOWN, open });
+            // Without attributes that change there is nothing to wait for.
+            let settling = if self.attributes.is_empty() { NOTHING } else { UNKNOWN };
+            self.entries.push(GroupEntry { offers: UNKNOWN, settling, open });
+            // Nobody knows what the new group violates.
+            let slot = self.groups.slot_of(self.groups.get(group as GroupId).copies[0]);
+            let field = self.layout.field(self.first_slot() + slot as usize);
+            for event in 0..laid_out {
+                self.concerns.set_bar(event as EventId, field, 0);
+            }
         }
     }
 
@@ -251,7 +263,6 @@ impl Successors {
             self.concerns.add_event(playout);
             self.by_rank.push(event);
         }
-        self.concerns.lay_out(&self.layout, self.first_slot());
         self.by_rank.sort_by(|&a, &b| playout.event(a).text.cmp(&playout.event(b).text));
         self.spontaneous.clear();
         self.spontaneous.resize(words_for(self.by_rank.len() as u32), 0);
@@ -303,7 +314,28 @@ impl Successors {
     /// From now on fields lie as this says.
     pub(crate) fn set_layout(&mut self, layout: Layout) {
         self.layout = layout;
+        self.lay_out();
+    }
+
+    /// Makes the masks of rows anew.
+    fn lay_out(&mut self) {
         self.concerns.lay_out(&self.layout, self.first_slot());
+        for event in 0..self.events.len() as EventId {
+            for index in 0..self.concerns.slots(event).len() {
+                self.note_bar(self.concerns.slots(event)[index], event);
+            }
+        }
+    }
+
+    /// Takes note of what all groups of a slot violate at once by an event, as far as that is known.
+    pub(super) fn note_bar(&mut self, slot: u32, event: EventId) {
+        let flags = |&group: &GroupId| {
+            let root = self.root(Place::Reaction(group, event));
+            if is_leaf(root) { self.reactions[root as usize].flags } else { 0 }
+        };
+        let of_all = self.groups.of_slot(slot).iter().map(flags).reduce(|all, one| all & one).unwrap_or(0);
+        let violated = if of_all & flag::AT_ONCE != 0 { of_all } else { 0 };
+        self.concerns.set_bar(event, self.layout.field(self.first_slot() + slot as usize), violated);
     }
 
     /// The sets of keys that moves discharge, and others that were asked for.
