@@ -303,7 +303,7 @@ pub(super) fn moves<S: Source>(source: &mut S, row: &[u64], out: &mut PackedMove
 
 /// Finds what is asked for, the open keys, and the groups that may go on when attributes change.
 fn survey<S: Source>(source: &mut S, row: &[u64], out: &mut PackedMoves) -> Result<(), Miss> {
-    loop {
+    'anew: loop {
         let events = source.tables().events.len();
         let PackedMoves { watching, open_keys, wishes, .. } = &mut *out;
         wishes.clear(events);
@@ -321,6 +321,10 @@ fn survey<S: Source>(source: &mut S, row: &[u64], out: &mut PackedMoves) -> Resu
                     watching.push(Watching { group, field });
                 }
                 let offers = leaf(source, Place::Offers(group), row, row)?;
+                // What was just found out may have brought new events, and with them other places in the order.
+                if source.tables().events.len() != events {
+                    continue 'anew;
+                }
                 if offers != NOTHING {
                     let tables = source.tables();
                     for wish in part(&tables.wishes, tables.offers[offers as usize]) {
@@ -330,10 +334,7 @@ fn survey<S: Source>(source: &mut S, row: &[u64], out: &mut PackedMoves) -> Resu
                 }
             }
         }
-        // What was just found out may have brought new events, and with them other places in the order.
-        if source.tables().events.len() == events {
-            return Ok(());
-        }
+        return Ok(());
     }
 }
 
