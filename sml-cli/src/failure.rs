@@ -161,10 +161,20 @@ impl Failure {
 
     /// Shows it: JSON on stdout, or text on stderr. A product that went to stdout is none for whoever gets this.
     pub(crate) fn report(&self, format: Format, color: bool) -> Exit {
+        self.report_by(output::print, format, color)
+    }
+
+    /// The same with another way to print to stdout.
+    pub(crate) fn report_by(
+        &self,
+        print: impl FnOnce(&str) -> Result<(), Failure>,
+        format: Format,
+        color: bool,
+    ) -> Exit {
         match format {
             Format::Json => {
                 let document = json!({ "version": 1, "diagnostics": self.json() });
-                if let Err(failure) = output::print(&format!("{document}\n")) {
+                if let Err(failure) = print(&format!("{document}\n")) {
                     return failure.report(Format::Text, color);
                 }
             }

@@ -1,13 +1,13 @@
 //! How much memory there is and this process holds, as Linux tells it, and a watch over it.
 //!
 //! Exploration counts what it holds and stops by itself. What comes behind it takes several times as much, and how much
-//! shows only on the way. So somebody looks at the process as a whole, and ends it before the system runs out of memory
-//! and ends whatever it likes.
+//! shows only on the way; and so do states with thousands of moves. So somebody looks at the process as a whole, and ends it
+//! before the system runs out of memory and ends whatever it likes.
 
 use crate::failure::{Exit, Failure, nowhere};
 use crate::options::Format;
 use crate::output;
-use std::sync::Once;
+use std::sync::{Mutex, Once, PoisonError};
 use std::thread;
 use std::time::Duration;
 use synth_core::diagnostic::{Code, counted};
@@ -46,14 +46,17 @@ fn entry(list: &str, name: &str) -> Option<u64> {
 const IDLE: u64 = 16 << 20;
 
 /// From now on the command ends, as when exploration reaches its limit, once it holds more than so many bytes. `found` says how far it
-/// came. Where the system does not tell what it holds, nothing is watched.
+/// came; another call says how far it came since. Where the system does not tell what it holds, nothing is watched.
 pub(crate) fn watch(limit: usize, found: String, format: Format, color: bool) {
     static WATCHED: Once = Once::new();
+    static FOUND: Mutex<String> = Mutex::new(String::new());
+    let how_far = || FOUND.lock().unwrap_or_else(PoisonError::into_inner);
+    *how_far() = found;
     let most = IDLE.saturating_add(limit as u64);
     let look = move || {
         while let Some(held) = held() {
             if held > most {
-                output::end(&too_much(limit, found), format, color);
+                output::end(&too_much(limit, how_far().clone()), format, color);
             }
             thread::sleep(PERIOD);
         }

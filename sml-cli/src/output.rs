@@ -10,18 +10,20 @@ use std::process;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use synth_core::emit::template;
 
-/// Held while something is written, so that nobody ends the process halfway.
-static WRITING: Mutex<()> = Mutex::new(());
+/// Held while something is written, so that nobody ends the process halfway: whether something was.
+static WRITING: Mutex<bool> = Mutex::new(false);
 
-fn writing() -> MutexGuard<'static, ()> {
+fn writing() -> MutexGuard<'static, bool> {
     WRITING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Ends the process with a failure, whatever others do in it, but not while they write.
-pub(crate) fn end(failure: &Failure, format: Format, color: bool) -> ! {
-    let exit = failure.report(format, color);
-    let _writing = writing();
-    process::exit(exit as i32)
+/// Ends the process with a failure, whatever others do in it. Who has written something has its result already and may come to
+/// an end.
+pub(crate) fn end(failure: &Failure, format: Format, color: bool) {
+    let written = writing();
+    if !*written {
+        process::exit(failure.report_by(put, format, color) as i32);
+    }
 }
 
 /// Writes a product to `path`, or to stdout if there is none or it is `-`.
@@ -84,7 +86,17 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
 
 /// Prints to stdout piece by piece. A reader that has seen enough and closes the pipe is no failure.
 pub(crate) fn stream(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
-    let _writing = writing();
+    let mut written = writing();
+    *written = true;
+    put_by(write)
+}
+
+/// Prints to stdout while [`WRITING`] is held.
+fn put(text: &str) -> Result<(), Failure> {
+    put_by(|out| out.write_all(text.as_bytes()))
+}
+
+fn put_by(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
     let mut out = io::BufWriter::with_capacity(1 << 16, io::stdout().lock());
     let written = write(&mut out).and_then(|()| out.flush());
     match written {
@@ -100,7 +112,8 @@ pub(crate) fn note(line: &str) {
 
 /// Replaces the content of a file, or creates it.
 fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    let _writing = writing();
+    let mut written = writing();
+    *written = true;
     let existing = match fs::metadata(path) {
         Ok(metadata) if metadata.is_dir() => return Err(io::Error::other("it is a directory")),
         // A device or a pipe cannot be replaced, and nothing in it can be lost.
@@ -126,7 +139,8 @@ fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) ->
 
 /// Creates a file, whole or not at all, unless there is one already.
 pub(crate) fn create(path: &Path, text: &str) -> io::Result<()> {
-    let _writing = writing();
+    let mut written = writing();
+    *written = true;
     let (mut file, temporary) = temporary_beside(path)?;
     let result = file.write_all(text.as_bytes()).and_then(|()| match fs::hard_link(&temporary, path) {
         // Some file systems have no links: then a reader may see half of it.

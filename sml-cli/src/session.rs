@@ -168,10 +168,16 @@ impl Session {
 
     /// Explores without asking who wins.
     pub(crate) fn explore<'s>(&mut self, loaded: &Loaded, spec: &'s Spec) -> Result<Explored<'s>, Failure> {
-        let options = self.options(Level::default());
+        let options = Options { limits: self.watched_limits(), ..self.options(Level::default()) };
         let explored = self.timings.stage("explore", || explore(spec, options.semantics, &options.limits));
         let explored = explored.map_err(|error| Failure::of(&error.into(), &loaded.sources))?;
         self.timings.size(Size::of_game(&explored));
+        let (states, edges) = (explored.game.states(), explored.game.edges());
+        self.watch(format!(
+            "{} and {} were found; what is made of them needs more",
+            counted(states, "state"),
+            counted(edges, "transition")
+        ));
         Ok(explored)
     }
 
@@ -197,7 +203,7 @@ impl Session {
 
     /// The same for what counts not all of its memory, or none: from now on the process as a whole is watched.
     fn watched_limits(&self) -> Limits {
-        self.watch("what was found, and what is made of it, needs more".to_owned());
+        self.watch("what is looked for, or what is made of it, needs more".to_owned());
         self.limits
     }
 
@@ -212,12 +218,6 @@ impl Session {
 
     pub(crate) fn solve<'s>(&mut self, loaded: &Loaded, spec: &'s Spec) -> Result<Solved<'s>, Failure> {
         let explored = self.explore(loaded, spec)?;
-        let (states, edges) = (explored.game.states(), explored.game.edges());
-        self.watch(format!(
-            "{} and {} were found; what is made of them needs more",
-            counted(states, "state"),
-            counted(edges, "transition")
-        ));
         Ok(pipeline::solved(explored, &self.limits, &mut self.timings))
     }
 
