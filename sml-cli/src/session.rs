@@ -297,7 +297,7 @@ impl Session {
 
     /// Why the system cannot win; `None` if it can.
     pub(crate) fn explain(&mut self, solved: &Solved<'_>) -> Option<Explanation> {
-        let limits = self.watched_limits();
+        let limits = self.limits;
         self.timings.stage("explain", || explain(solved, &limits))
     }
 

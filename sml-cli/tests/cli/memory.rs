@@ -17,23 +17,23 @@ fn ends(arguments: &str, note: &str) {
 
 #[test]
 fn what_is_made_of_states_is_limited() {
-    let file = switches("memory", 12);
+    let file = switches("memory", 13);
     let folder = file.parent().expect("a folder");
     let (file, output) = (file.display(), folder.join("controller.json"));
     let figures =
-        format!("{} states and {} transitions were found; what is made of them", 13 << 12, 24 << 12);
-    ends(&format!("synth {file} --max-memory 4M"), &figures);
-    ends(&format!("check {file} --max-memory 4M --deny-warnings"), &figures);
+        format!("{} states and {} transitions were found; what is made of them", 14 << 13, 26 << 13);
+    ends(&format!("synth {file} --max-memory 12M"), &figures);
+    ends(&format!("check {file} --max-memory 12M --deny-warnings"), &figures);
     let synth = format!("synth {file} -o {} --max-memory", output.display());
-    ends(&format!("{synth} 4M"), &figures);
+    ends(&format!("{synth} 12M"), &figures);
     assert_eq!(listing(folder), ["switches.sml"], "nothing is left behind");
     let run = sml(&format!("{synth} 1G"));
     assert_eq!(run.code, 0, "{}", run.stderr);
     assert_eq!(listing(folder), ["controller.json", "switches.sml"]);
     let controller = fs::read(&output).expect("a controller");
-    ends(&format!("{synth} 4M"), &figures);
+    ends(&format!("{synth} 12M"), &figures);
     assert_eq!(fs::read(&output).expect("a controller"), controller, "it stays as it was");
-    ends(&format!("verify {file} {} --max-memory 4M", output.display()), "needs more");
+    ends(&format!("verify {file} {} --max-memory 12M", output.display()), "needs more");
 }
 
 /// A state with thousands of moves.
