@@ -15,8 +15,8 @@ pub(super) struct Acceptance {
 
 impl Acceptance {
     /// The conditions of the assumptions, in the order of [`Game::assumptions`].
-    pub(super) fn assumptions(game: &Game) -> Vec<Acceptance> {
-        Self::of_keys(game, &game.assumptions, 1)
+    pub(super) fn assumptions(game: &Game, threads: usize) -> Vec<Acceptance> {
+        Self::of_keys(game, &game.assumptions, threads)
     }
 
     /// The goals of the system: the guarantees, in the order of [`Game::guarantees`], and then the one that super

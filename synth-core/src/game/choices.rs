@@ -42,9 +42,12 @@ impl<'a> Choices<'a> {
     }
 
     fn reach(&mut self, solution: &Solution) -> Result<(), ExtractError> {
-        let mut pending = vec![self.game.initial];
+        // Breadth first, as states are numbered, so that those looked at one after the other are near each other.
+        let mut found = vec![self.game.initial];
+        let mut next = 0;
         self.reached.insert(self.game.initial as usize);
-        while let Some(state) = pending.pop() {
+        while let Some(&state) = found.get(next) {
+            next += 1;
             let is_stuck = self.chosen[state as usize] == NONE && self.game.turn[state as usize].is_system();
             if is_stuck || !solution.wins(state) {
                 return Err(ExtractError::Leaves(state));
@@ -52,7 +55,7 @@ impl<'a> Choices<'a> {
             for edge in self.edges_of(state) {
                 let target = self.game.target[edge];
                 if !self.reached.put(target as usize) {
-                    pending.push(target);
+                    found.push(target);
                 }
             }
         }
@@ -115,8 +118,8 @@ impl Graph for Choices<'_> {
         self.game.target[edge]
     }
 
-    fn action(&self, edge: usize) -> u32 {
-        self.game.action[edge]
+    fn of_game(&self, edge: usize) -> usize {
+        edge
     }
 }
 

@@ -108,7 +108,7 @@ impl<'g> CounterStrategy<'g> {
             return None;
         }
         let predecessors = Predecessors::new(game);
-        let assumptions = Acceptance::assumptions(game);
+        let assumptions = Acceptance::assumptions(game, 1);
         let goals = Acceptance::goals(game, 1);
         let layers = Layers::new(game, &predecessors, &assumptions, &goals);
         let ranks = BTreeMap::new();

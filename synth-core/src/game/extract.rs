@@ -84,7 +84,7 @@ impl<'a> Extraction<'a> {
     fn new(game: &'a Game, solution: &'a Solution, threads: usize) -> Self {
         let goals = Acceptance::goals(game, threads);
         let order = (0..goals.len()).collect();
-        let fairness = Fairness::new(game);
+        let fairness = Fairness::new(game, threads);
         Extraction { game, solution, threads, order, goals, fairness, demanding: Vec::new() }
     }
 
@@ -131,8 +131,7 @@ impl<'a> Extraction<'a> {
         let &Extraction { game, solution, threads, ref goals, ref order, ref demanding, .. } = self;
         let moves = Moves { game, solution, goals, order, demanding };
         let strategy = Plays::new(moves, memory, threads).explore()?;
-        let graph = OfStrategy { game, strategy: &strategy };
-        let missed = self.fairness.missed(&graph, goals, solution.ending, threads);
+        let missed = self.fairness.missed(&OfStrategy(&strategy), goals, solution.ending, threads);
         Ok((strategy, missed))
     }
 

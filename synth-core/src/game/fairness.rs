@@ -14,27 +14,25 @@ use fixedbitset::FixedBitSet;
 /// What is asked of plays, whatever the strategy.
 pub(super) struct Fairness<'a> {
     game: &'a Game,
-    /// Per key: whether it is one of an assumption.
-    is_assumption: Vec<bool>,
+    assumptions: Vec<Acceptance>,
+    /// The edges that discharge a key of an assumption: few, and to ask for a bit is to spare most looks at actions.
+    assumed: FixedBitSet,
+    /// The edges that discharge a key of a guarantee that is open at both ends; of others it makes no difference. None in most games.
+    inner: Option<FixedBitSet>,
     /// The states in which a play may stay for ever in silence and be fair.
     rests: FixedBitSet,
 }
 
 impl<'a> Fairness<'a> {
-    pub(super) fn new(game: &'a Game) -> Self {
-        let mut is_assumption = vec![false; game.key_sets.keys() as usize];
-        for &key in &game.assumptions {
-            is_assumption[key as usize] = true;
-        }
-        let sets = 0..game.key_sets.len() as u32;
-        let assumes: Vec<bool> =
-            sets.map(|set| game.key_sets.members(set).any(|key| is_assumption[key as usize])).collect();
-        let rests = |&state: &usize| {
-            game.silent[state] && game.turn[state].is_environment() && !assumes[game.open[state] as usize]
-        };
-        let mut all = FixedBitSet::with_capacity(game.states());
-        (0..game.states()).filter(rests).for_each(|state| all.insert(state));
-        Fairness { game, is_assumption, rests: all }
+    pub(super) fn new(game: &'a Game, threads: usize) -> Self {
+        let assumptions = Acceptance::assumptions(game, threads);
+        let mut rests = FixedBitSet::with_capacity(game.states());
+        let may_rest = |&state: &usize| game.silent[state] && game.turn[state].is_environment();
+        (0..game.states()).filter(may_rest).for_each(|state| rests.insert(state));
+        assumptions.iter().for_each(|assumption| rests.difference_with(&assumption.open));
+        let assumed = discharging(game, &game.assumptions);
+        let inner = Some(inner(game)).filter(|edges| !edges.is_clear());
+        Fairness { game, assumptions, assumed, inner, rests }
     }
 
     /// The goals that some play of a strategy, fair to all assumptions, misses, ascending. If `ending`, the last goal, the end
@@ -73,8 +71,8 @@ impl<'a> Fairness<'a> {
 /// already.
 #[must_use]
 pub fn trapped(game: &Game, strategy: &Strategy) -> Vec<bool> {
-    let (fairness, goal) = (Fairness::new(game), Acceptance::never(game));
-    let graph = OfStrategy { game, strategy };
+    let (fairness, goal) = (Fairness::new(game, 1), Acceptance::never(game));
+    let graph = OfStrategy(strategy);
     let part = Missing { fairness: &fairness, graph: &graph, goal: &goal };
     let mut trapped = vec![false; strategy.nodes()];
     Components::new(&graph).any(&part, |component| {
@@ -107,7 +105,9 @@ impl<G: Graph> Part for Missing<'_, G> {
     }
 
     fn has_edge(&self, edge: usize) -> bool {
-        !self.goal.accepts(self.graph.action(edge))
+        let Some(inner) = &self.fairness.inner else { return true };
+        let edge = self.graph.of_game(edge);
+        !inner.contains(edge) || !self.goal.accepts(self.fairness.game.action[edge])
     }
 }
 
@@ -123,25 +123,26 @@ impl<G: Graph> Missing<'_, G> {
         if !is_cyclic {
             return false;
         }
-        let Game { key_sets, open, actions, .. } = self.fairness.game;
-        let open = |&node: &u32| open[self.graph.state(node) as usize];
+        let Fairness { game, assumptions, assumed, .. } = self.fairness;
         // The assumptions that no node and no edge between nodes accepts, of those looked at so far.
-        let mut missed: Vec<u32> = key_sets.members(open(&nodes[0])).collect();
-        missed.retain(|&key| self.fairness.is_assumption[key as usize]);
-        for node in nodes {
-            let set = open(node);
-            missed.retain(|&key| key_sets.contains(set, key));
+        let mut missed: Vec<&Acceptance> = assumptions.iter().collect();
+        for &node in nodes {
+            let state = self.graph.state(node) as usize;
+            missed.retain(|assumption| assumption.open.contains(state));
             if missed.is_empty() {
                 return true;
             }
         }
-        // Hardly any edge discharges one of them, so that is asked first.
         let own = number[nodes[0] as usize];
         for edge in nodes.iter().flat_map(|&node| self.graph.edges_of(node)) {
-            let discharged = actions.discharged(self.graph.action(edge));
+            let of_game = self.graph.of_game(edge);
+            if !assumed.contains(of_game) {
+                continue;
+            }
+            let accepts = |assumption: &Acceptance| assumption.accepts(game.action[of_game]);
             let stays = |edge| number[self.graph.target(edge) as usize] == own && self.has_edge(edge);
-            if missed.iter().any(|&key| key_sets.contains(discharged, key)) && stays(edge) {
-                missed.retain(|&key| !key_sets.contains(discharged, key));
+            if missed.iter().any(|assumption| accepts(assumption)) && stays(edge) {
+                missed.retain(|assumption| !accepts(assumption));
                 if missed.is_empty() {
                     return true;
                 }
@@ -149,4 +150,33 @@ impl<G: Graph> Missing<'_, G> {
         }
         false
     }
+}
+
+/// The edges that discharge a key of a guarantee that is open at both ends.
+fn inner(game: &Game) -> FixedBitSet {
+    let mut inner = discharging(game, &game.guarantees);
+    for state in 0..game.states() as u32 {
+        for edge in game.edges_of(state) {
+            if !inner.contains(edge) {
+                continue;
+            }
+            let ends = [state, game.target[edge]].map(|end| game.open[end as usize]);
+            let mut keys = game.key_sets.members(game.discharged(edge));
+            let stays_open = |key| ends.iter().all(|&set| game.key_sets.contains(set, key));
+            inner.set(edge, keys.any(stays_open));
+        }
+    }
+    inner
+}
+
+/// The edges that discharge one of these keys.
+fn discharging(game: &Game, keys: &[u32]) -> FixedBitSet {
+    let discharges = |set: u32| keys.iter().any(|&key| game.key_sets.contains(set, key));
+    let by_action: Vec<bool> = game.actions.discharged_sets().map(discharges).collect();
+    // A word at a time: an insertion for each edge takes longer than all else.
+    let word = |actions: &[u32]| {
+        let bits = actions.iter().enumerate();
+        bits.fold(0, |word, (bit, &action)| word | usize::from(by_action[action as usize]) << bit)
+    };
+    FixedBitSet::with_capacity_and_blocks(game.edges(), game.action.chunks(usize::BITS as usize).map(word))
 }

@@ -1,6 +1,6 @@
 //! Graphs of plays in which the system has made its choices.
 
-use super::{Game, Strategy};
+use super::Strategy;
 use fixedbitset::FixedBitSet;
 use std::ops::Range;
 
@@ -16,39 +16,36 @@ pub(super) trait Graph: Sync {
     fn edges_of(&self, node: u32) -> Range<usize>;
     /// The node that an edge leads to.
     fn target(&self, edge: usize) -> u32;
-    /// What happens on an edge, one of [`Game::actions`].
-    fn action(&self, edge: usize) -> u32;
+    /// The edge of the game that an edge is.
+    fn of_game(&self, edge: usize) -> usize;
 }
 
 /// The graph of a strategy with memory.
-pub(super) struct OfStrategy<'a> {
-    pub(super) game: &'a Game,
-    pub(super) strategy: &'a Strategy,
-}
+pub(super) struct OfStrategy<'a>(pub(super) &'a Strategy);
 
 impl Graph for OfStrategy<'_> {
     fn nodes(&self) -> usize {
-        self.strategy.nodes()
+        self.0.nodes()
     }
 
     fn nodes_in<'s>(&'s self, states: &'s FixedBitSet) -> impl Iterator<Item = u32> + 's {
-        let all = (0..).zip(&self.strategy.state);
+        let all = (0..).zip(&self.0.state);
         all.filter(|(_, state)| states.contains(**state as usize)).map(|(node, _)| node)
     }
 
     fn state(&self, node: u32) -> u32 {
-        self.strategy.state[node as usize]
+        self.0.state[node as usize]
     }
 
     fn edges_of(&self, node: u32) -> Range<usize> {
-        self.strategy.edges_of(node)
+        self.0.edges_of(node)
     }
 
     fn target(&self, edge: usize) -> u32 {
-        self.strategy.target[edge]
+        self.0.target[edge]
     }
 
-    fn action(&self, edge: usize) -> u32 {
-        self.game.action[self.strategy.edge[edge] as usize]
+    fn of_game(&self, edge: usize) -> usize {
+        self.0.edge[edge] as usize
     }
 }

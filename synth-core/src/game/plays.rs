@@ -4,6 +4,7 @@ use super::choices::{NONE, of_states};
 use super::extract::ExtractError;
 use super::preference::Preference;
 use super::{Game, Solution, Strategy, acceptance::Acceptance};
+use fixedbitset::FixedBitSet;
 use rustc_hash::FxHashSet;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -35,17 +36,6 @@ impl Moves<'_> {
     fn preference(&self) -> Preference<'_> {
         Preference { game: self.game, solution: self.solution }
     }
-
-    /// Of the candidates in a state those that make progress towards a demanding goal that is open.
-    fn useful(&self, state: u32, candidates: &[usize]) -> impl Iterator<Item = usize> {
-        let is_open = move |goal: &&usize| self.goals[**goal].open.contains(state as usize);
-        let is_useful = move |edge: usize| {
-            let mut pursued =
-                self.demanding.iter().filter(|&&goal| self.solution.progress[goal].contains(edge));
-            pursued.any(|goal| is_open(&goal))
-        };
-        candidates.iter().copied().filter(move |&edge| is_useful(edge))
-    }
 }
 
 /// Explores the plays of a strategy.
@@ -54,6 +44,8 @@ pub(super) struct Plays<'a> {
     memory: Memory,
     /// Per goal in memory: all goals, the most important first.
     orders: Vec<Vec<usize>>,
+    /// If decisions are remembered: the edges that make progress towards a demanding goal.
+    useful: FixedBitSet,
     /// If decisions are remembered, per state of the system: what it chooses whatever it remembers.
     fixed: Vec<u32>,
     /// Per action: it is one of those between which there is something to decide.
@@ -75,6 +67,7 @@ impl<'a> Plays<'a> {
             moves,
             memory,
             orders: Vec::new(),
+            useful: FixedBitSet::new(),
             fixed: Vec::new(),
             decides: Vec::new(),
             node: vec![NONE; game.states()],
@@ -97,12 +90,14 @@ impl<'a> Plays<'a> {
     /// Looks for states in which several moves make progress towards demanding goals. Moves like these are remembered
     /// even where there is no choice.
     fn find_decisions(&mut self, threads: usize) {
-        let Moves { game, solution, order, .. } = self.moves;
+        let Moves { game, solution, order, demanding, .. } = self.moves;
+        self.useful.grow(game.edges());
+        demanding.iter().for_each(|&goal| self.useful.union_with(&solution.progress[goal]));
         let decides: Vec<AtomicBool> = game.actions.labels().map(|_| AtomicBool::new(false)).collect();
         self.fixed = of_states(game, solution, threads, |state, candidates| {
             let preference = self.moves.preference();
             preference.collect_candidates(state, candidates);
-            let mut useful = self.moves.useful(state, candidates);
+            let mut useful = candidates.iter().copied().filter(|&edge| self.useful.contains(edge));
             match (useful.next(), useful.next()) {
                 (Some(one), Some(other)) => {
                     for edge in [one, other].into_iter().chain(useful) {
@@ -210,14 +205,15 @@ impl<'a> Plays<'a> {
         preference.collect_candidates(state, &mut self.candidates);
         match self.memory {
             Memory::Goal => preference.choose(&self.orders[remembered as usize], &mut self.candidates),
-            Memory::KeepDecision => self.decide(state, |label| label < remembered),
-            Memory::RotateDecisions => self.decide(state, |label| label <= remembered),
+            Memory::KeepDecision => self.decide(|label| label < remembered),
+            Memory::RotateDecisions => self.decide(|label| label <= remembered),
         }
     }
 
     /// The first useful candidate in the order of decisions; those whose turn comes `later` come last.
-    fn decide(&self, state: u32, later: impl Fn(u32) -> bool) -> Option<usize> {
-        self.moves.useful(state, &self.candidates).min_by_key(|&edge| {
+    fn decide(&self, later: impl Fn(u32) -> bool) -> Option<usize> {
+        let useful = self.candidates.iter().copied().filter(|&edge| self.useful.contains(edge));
+        useful.min_by_key(|&edge| {
             let label = self.moves.game.label(edge);
             (later(label), label)
         })

@@ -127,11 +127,6 @@ impl<'g> Pursuit<'g> {
         &self.left
     }
 
-    /// What the last run has left to the environment.
-    pub(super) fn left(&self) -> &FixedBitSet {
-        &self.left
-    }
-
     /// The ranks of the last run; 0 where its goal is not open, or cannot be met.
     pub(super) fn into_ranks(self) -> Vec<u32> {
         let mut ranks = vec![0; self.rank.len()];

@@ -11,7 +11,7 @@ use fixedbitset::FixedBitSet;
 #[must_use]
 pub fn overpowered(game: &Game) -> FixedBitSet {
     let predecessors = Predecessors::new(game);
-    let assumptions = Acceptance::assumptions(game);
+    let assumptions = Acceptance::assumptions(game, 1);
     let never = Acceptance::never(game);
     let mut region = Region::new(game, &predecessors);
     let mut pursuit = Pursuit::new(game, &predecessors, true);

@@ -16,8 +16,8 @@
 //! "Conditionally Optimal Algorithms for Generalized Büchi Games" (2016).
 
 use super::{Game, acceptance::Acceptance, predecessors::Predecessors, pursuit::Pursuit, region::Region};
+use crate::parallel::take_turns;
 use fixedbitset::FixedBitSet;
-use std::thread;
 
 /// Who wins where, and the moves by which the system does.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -82,68 +82,72 @@ pub fn solve_ending(game: &Game) -> Solution {
 
 fn solve_for(game: &Game, ending: bool, threads: usize) -> Solution {
     let predecessors = Predecessors::new(game);
-    let assumptions = Acceptance::assumptions(game);
+    let assumptions = Acceptance::assumptions(game, threads);
     let goals = Acceptance::goals(game, threads);
     let mut region = Region::new(game, &predecessors);
-    let new = |_| Pursuit::new(game, &predecessors, ending);
-    let mut pursuits: Vec<Pursuit<'_>> = (0..threads.min(goals.len())).map(new).collect();
     let super_steps = goals.len() - 1;
     // What may be avoided instead of meeting a goal.
     let avoidable = |goal: usize| if ending && goal == super_steps { &[] } else { assumptions.as_slice() };
-    let mut progress = vec![FixedBitSet::with_capacity(game.edges()); goals.len()];
+    let mut progress = vec![FixedBitSet::new(); goals.len()];
     let mut settled = vec![false; goals.len()];
     let mut next = 0;
-    // The pursuit that was run last, if it lost nothing, and its goal.
-    let mut last = None;
+    let mut places: Vec<Place<'_>> = Vec::new();
     loop {
         let rotation = (next..goals.len()).chain(0..next).filter(|&goal| !settled[goal]);
-        let together: Vec<usize> = rotation.take(pursuits.len()).collect();
-        if together.is_empty() {
-            break;
-        }
-        let run = |pursuit: &mut Pursuit<'_>, goal: usize, progress: &mut FixedBitSet| {
-            pursuit.run(&goals[goal], avoidable(goal), &region.states, progress);
-        };
-        let mut results: Vec<FixedBitSet> =
-            together.iter().map(|&goal| std::mem::take(&mut progress[goal])).collect();
-        thread::scope(|scope| {
-            let mut all = pursuits.iter_mut().zip(&together).zip(&mut results);
-            let first = all.next();
-            for ((pursuit, &goal), progress) in all {
-                scope.spawn(move || run(pursuit, goal, progress));
-            }
-            if let Some(((pursuit, &goal), progress)) = first {
-                run(pursuit, goal, progress);
-            }
+        let together: Vec<usize> = rotation.take(TOGETHER).collect();
+        let Some(last) = together.last() else { break };
+        next = (last + 1) % goals.len();
+        take_turns(&mut places, together.len(), threads, |place, index| {
+            let goal = together[index];
+            let pursuit = place.pursuit.get_or_insert_with(|| Pursuit::new(game, &predecessors, ending));
+            place.last = Some(goal);
+            let mut progress = FixedBitSet::new();
+            let left = pursuit.run(&goals[goal], avoidable(goal), &region.states, &mut progress);
+            place.lost.grow(game.states());
+            place.lost.union_with(left);
+            place.progress.push((goal, progress));
         });
-        for (&goal, result) in together.iter().zip(results) {
-            progress[goal] = result;
-        }
-        // As if they had been run one after the other: what was run behind the first that loses something was in vain.
-        for (pursuit, &goal) in together.iter().enumerate() {
-            settled[goal] = true;
-            next = (goal + 1) % goals.len();
-            let lost = pursuits[pursuit].left();
-            last = lost.is_clear().then_some((pursuit, goal));
-            if last.is_none() {
-                region.remove(game, &predecessors, lost);
-                for ((goal, progress), settled) in goals.iter().zip(&progress).zip(&mut settled) {
-                    *settled = *settled && keeps_progress(game, &predecessors, &region, goal, progress);
-                }
-                break;
+        let mut lost = FixedBitSet::with_capacity(game.states());
+        for place in &mut places {
+            lost.union_with(&place.lost);
+            place.lost.clear();
+            for (goal, found) in place.progress.drain(..) {
+                (progress[goal], settled[goal]) = (found, true);
             }
+        }
+        if lost.is_clear() {
+            continue;
+        }
+        region.remove(game, &predecessors, &lost);
+        places.iter_mut().for_each(|place| place.last = None);
+        for ((goal, progress), settled) in goals.iter().zip(&progress).zip(&mut settled) {
+            *settled = *settled && keeps_progress(game, &predecessors, &region, goal, progress);
         }
     }
-    let pursuit = match last {
-        Some((pursuit, goal)) if goal == super_steps => pursuit,
-        _ => {
-            let progress = &mut progress[super_steps];
-            pursuits[0].run(&goals[super_steps], avoidable(super_steps), &region.states, progress);
-            0
-        }
-    };
-    let remaining = pursuits.swap_remove(pursuit).into_ranks();
+    let found = places.iter().position(|place| place.last == Some(super_steps));
+    let pursuit = places.swap_remove(found.unwrap_or(0)).pursuit;
+    let mut pursuit = pursuit.unwrap_or_else(|| Pursuit::new(game, &predecessors, ending));
+    if found.is_none() {
+        let progress = &mut progress[super_steps];
+        pursuit.run(&goals[super_steps], avoidable(super_steps), &region.states, progress);
+    }
+    let remaining = pursuit.into_ranks();
     Solution { winning: region.states, progress, remaining, ending }
+}
+
+/// So many goals are pursued in the same region, whatever the number of threads, before what they lose is removed.
+const TOGETHER: usize = 4;
+
+/// Where a thread pursues goals.
+#[derive(Default)]
+struct Place<'g> {
+    pursuit: Option<Pursuit<'g>>,
+    /// The goal that was pursued last, if nothing has been removed from the region since.
+    last: Option<usize>,
+    /// The states that its goals have lost.
+    lost: FixedBitSet,
+    /// The progress towards its goals.
+    progress: Vec<(usize, FixedBitSet)>,
 }
 
 /// Whether what a pursuit found out still holds after the last removal from the region.
