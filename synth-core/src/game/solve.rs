@@ -57,8 +57,8 @@ pub fn solve(game: &Game) -> Solution {
     solve_for(game, false, 1)
 }
 
-/// As [`solve`], with so many goals pursued at a time, each on a thread of its own; the result does not depend on it. Each takes
-/// eight `u32` for a state.
+/// As [`solve`], on so many threads, of which more than four have nothing to do; the result does not depend on it. Each takes eight
+/// `u32` for a state.
 ///
 /// # Panics
 ///
@@ -135,7 +135,8 @@ fn solve_for(game: &Game, ending: bool, threads: usize) -> Solution {
     Solution { winning: region.states, progress, remaining, ending }
 }
 
-/// So many goals are pursued in the same region, whatever the number of threads, before what they lose is removed.
+/// So many goals are pursued in the same region, whatever the number of threads, before what they lose is removed. What one of them loses is
+/// lost in a smaller region, too.
 const TOGETHER: usize = 4;
 
 /// Where a thread pursues goals.
