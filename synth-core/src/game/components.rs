@@ -63,7 +63,7 @@ impl<'a, G: Graph> Components<'a, G> {
         self.number.fill(OUTSIDE);
         part.nodes().for_each(|node| self.number[node as usize] = 0);
         let mut component = OUTSIDE;
-        for root in 0..self.number.len() as u32 {
+        for root in part.nodes() {
             if self.number[root as usize] > 0 {
                 continue;
             }

@@ -84,7 +84,7 @@ impl<'a> Extraction<'a> {
     fn new(game: &'a Game, solution: &'a Solution, threads: usize) -> Self {
         let goals = Acceptance::goals(game, threads);
         let order = (0..goals.len()).collect();
-        let fairness = Fairness::new(game, threads);
+        let fairness = Fairness::new(game);
         Extraction { game, solution, threads, order, goals, fairness, demanding: Vec::new() }
     }
 

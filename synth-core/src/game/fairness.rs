@@ -14,7 +14,8 @@ use fixedbitset::FixedBitSet;
 /// What is asked of plays, whatever the strategy.
 pub(super) struct Fairness<'a> {
     game: &'a Game,
-    assumptions: Vec<Acceptance>,
+    /// Per key: whether it is one of an assumption.
+    is_assumption: Vec<bool>,
     /// The edges that discharge a key of an assumption: few, and to ask for a bit is to spare most looks at actions.
     assumed: FixedBitSet,
     /// The edges that discharge a key of a guarantee that is open at both ends; of others it makes no difference. None in most games.
@@ -24,15 +25,22 @@ pub(super) struct Fairness<'a> {
 }
 
 impl<'a> Fairness<'a> {
-    pub(super) fn new(game: &'a Game, threads: usize) -> Self {
-        let assumptions = Acceptance::assumptions(game, threads);
+    pub(super) fn new(game: &'a Game) -> Self {
+        let mut is_assumption = vec![false; game.key_sets.keys() as usize];
+        for &key in &game.assumptions {
+            is_assumption[key as usize] = true;
+        }
+        let sets = 0..game.key_sets.len() as u32;
+        let assumes: Vec<bool> =
+            sets.map(|set| game.key_sets.members(set).any(|key| is_assumption[key as usize])).collect();
+        let may_rest = |&state: &usize| {
+            game.silent[state] && game.turn[state].is_environment() && !assumes[game.open[state] as usize]
+        };
         let mut rests = FixedBitSet::with_capacity(game.states());
-        let may_rest = |&state: &usize| game.silent[state] && game.turn[state].is_environment();
         (0..game.states()).filter(may_rest).for_each(|state| rests.insert(state));
-        assumptions.iter().for_each(|assumption| rests.difference_with(&assumption.open));
         let assumed = discharging(game, &game.assumptions);
         let inner = Some(inner(game)).filter(|edges| !edges.is_clear());
-        Fairness { game, assumptions, assumed, inner, rests }
+        Fairness { game, is_assumption, assumed, inner, rests }
     }
 
     /// The goals that some play of a strategy, fair to all assumptions, misses, ascending. If `ending`, the last goal, the end
@@ -71,7 +79,7 @@ impl<'a> Fairness<'a> {
 /// already.
 #[must_use]
 pub fn trapped(game: &Game, strategy: &Strategy) -> Vec<bool> {
-    let (fairness, goal) = (Fairness::new(game, 1), Acceptance::never(game));
+    let (fairness, goal) = (Fairness::new(game), Acceptance::never(game));
     let graph = OfStrategy(strategy);
     let part = Missing { fairness: &fairness, graph: &graph, goal: &goal };
     let mut trapped = vec![false; strategy.nodes()];
@@ -123,12 +131,15 @@ impl<G: Graph> Missing<'_, G> {
         if !is_cyclic {
             return false;
         }
-        let Fairness { game, assumptions, assumed, .. } = self.fairness;
+        let Fairness { game, is_assumption, assumed, .. } = self.fairness;
+        let Game { key_sets, open, actions, .. } = game;
+        let open = |&node: &u32| open[self.graph.state(node) as usize];
         // The assumptions that no node and no edge between nodes accepts, of those looked at so far.
-        let mut missed: Vec<&Acceptance> = assumptions.iter().collect();
-        for &node in nodes {
-            let state = self.graph.state(node) as usize;
-            missed.retain(|assumption| assumption.open.contains(state));
+        let mut missed: Vec<u32> = key_sets.members(open(&nodes[0])).collect();
+        missed.retain(|&key| is_assumption[key as usize]);
+        for node in nodes {
+            let set = open(node);
+            missed.retain(|&key| key_sets.contains(set, key));
             if missed.is_empty() {
                 return true;
             }
@@ -139,10 +150,10 @@ impl<G: Graph> Missing<'_, G> {
             if !assumed.contains(of_game) {
                 continue;
             }
-            let accepts = |assumption: &Acceptance| assumption.accepts(game.action[of_game]);
+            let discharged = actions.discharged(game.action[of_game]);
             let stays = |edge| number[self.graph.target(edge) as usize] == own && self.has_edge(edge);
-            if missed.iter().any(|assumption| accepts(assumption)) && stays(edge) {
-                missed.retain(|assumption| !accepts(assumption));
+            if missed.iter().any(|&key| key_sets.contains(discharged, key)) && stays(edge) {
+                missed.retain(|&key| !key_sets.contains(discharged, key));
                 if missed.is_empty() {
                     return true;
                 }
