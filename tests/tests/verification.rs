@@ -2,6 +2,7 @@
 //! that the changed controller still wins. And controllers that pass win, by the naive word too.
 
 use sml_tests::families::arbiter::arbiter;
+use sml_tests::families::lift::lift;
 use sml_tests::random::{Options as RandomOptions, Random, specification};
 use sml_tests::{corpus, fast, naive};
 use synth_core::controller::{Controller, Level};
@@ -165,6 +166,21 @@ fn threads_find_the_same_first_fault() {
     }
     assert!(verified(&spec, &original, 8).is_ok());
     assert!(plays > 2 && cycles > 0, "{plays} plays, {cycles} cycles");
+}
+
+/// What is open here is learned in the middle of batches, with sets of keys that other nodes of the batch have, too.
+#[test]
+fn controllers_of_lifts_win() {
+    for floors in 2..6 {
+        let spec = fast::resolved(&lift(floors)).expect("it is right");
+        let controller = controller(&spec, &fast::options(false, 20_000)).expect("it is realizable");
+        let nodes = verified(&spec, &controller, 1);
+        assert!(
+            nodes.as_ref().is_ok_and(|&nodes| nodes >= controller.states as usize),
+            "{floors}: {nodes:?}"
+        );
+        assert_eq!(verified(&spec, &controller, 8), nodes, "{floors} floors");
+    }
 }
 
 #[test]

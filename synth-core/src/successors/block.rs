@@ -277,12 +277,14 @@ mod tests {
     }
 
     proptest! {
-        /// Numbers are those of following each edge at once, whatever is in which block.
+        /// Numbers are those of following each edge at once, whatever is in which block, and whatever sets learning makes while a
+        /// block is filled.
         #[test]
         fn numbers_are_those_of_one_search(
             known in vec(0..300_u64, 0..100),
             first in vec(vec(0..300_u64, 0..5), 0..300),
             second in vec(vec(0..300_u64, 0..5), 0..300),
+            learned in vec(0..300_u64, 0..3),
         ) {
             const END: u32 = u32::MAX - 1;
             let mut rows = PackedRows::new(2, 0);
@@ -307,6 +309,11 @@ mod tests {
                         continue;
                     };
                     moves.open_keys = vec![keys];
+                    // Before the first set of the block is asked for, so learning is the first to number it.
+                    for &keys in &learned {
+                        set(&mut sets, keys);
+                        set(&mut expected_sets, keys);
+                    }
                     block.push(&moves, sets.iter().position(|&one| one == keys).map(|at| at as SetId));
                 }
                 block.look_up(&rows);
