@@ -46,10 +46,13 @@ fn ascending_names(components: &[Component]) -> Option<String> {
     Some(format!("component `{}` does not stand in front of `{}`", pair[0].object, pair[1].object))
 }
 
-fn ascending(sources: impl Iterator<Item = u32>, what: &str) -> Option<String> {
-    let sources: Vec<u32> = sources.collect();
-    let pair = sources.windows(2).find(|pair| pair[0] >= pair[1])?;
-    Some(format!("{what} has state {} behind state {}", pair[1], pair[0]))
+fn ascending(mut sources: impl Iterator<Item = u32>, what: &str) -> Option<String> {
+    let mut last = sources.next()?;
+    let (before, state) = sources.find_map(|state| {
+        let before = std::mem::replace(&mut last, state);
+        (before >= state).then_some((before, state))
+    })?;
+    Some(format!("{what} has state {state} behind state {before}"))
 }
 
 fn wrong_component(component: &Component, commands: &[Event]) -> Option<String> {
