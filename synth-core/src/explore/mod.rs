@@ -16,7 +16,7 @@ use crate::diagnostic::counted;
 use crate::game::{ActionsBuilder, Game, KeySets, ShortestPaths, Turn, YIELD};
 use crate::model::{Kind, Spec};
 use crate::playout::{EventId, KeyId, PlayError, Playout, Semantics};
-use crate::successors::{Block, Found, Head, Learned, PackedMoves, Reader, reserve};
+use crate::successors::{Block, Found, Head, Learned, PackedMoves, Reader, next_batch, reserve};
 use batch::{LOST, WON};
 pub(crate) use game_sets::GameSets;
 use std::fmt;
@@ -172,9 +172,6 @@ const MOST_EDGES: usize = (u32::MAX - (1 << 24)) as usize;
 /// Memory is counted once in so many states: counting looks at everything that was remembered.
 const MEMORY_PERIOD: usize = 256;
 
-/// Most states of a batch.
-const BATCH: usize = 1 << 14;
-
 /// The growing arrays of the game.
 #[derive(Debug, Default)]
 struct Graph {
@@ -207,8 +204,8 @@ type Mistake = (StateId, Option<EventId>, PlayError);
 impl Explorer<'_, '_> {
     fn run(&mut self, limits: &Limits) -> Result<(), ExploreError> {
         while self.graph.turn.len() < self.store.len() {
-            let start = self.graph.turn.len();
-            let states = start as StateId..self.store.len().min(start + BATCH) as StateId;
+            let Graph { turn, target, .. } = &self.graph;
+            let states = next_batch(turn.len(), self.store.len(), target.len());
             let (filled, mistake) = self.find(&states, limits.threads);
             self.buffers = self.blocks[..filled].iter().chain([&self.learned]).map(Block::memory).sum();
             let blocks = std::mem::take(&mut self.blocks);

@@ -10,9 +10,19 @@ use super::rows::{PackedRows, WINDOW, hash_row};
 use super::sets::SetId;
 use crate::game::Turn;
 use crate::playout::EventId;
+use std::ops::Range;
 
 /// Where an edge leads before its row was looked up, or when it was not found.
 const NONE: u32 = u32::MAX;
+
+/// The states to look at next: `done` of those that were found have been looked at, and had so many edges. Where states have had many
+/// edges they are fewer, as what is noted of them takes memory.
+pub(crate) fn next_batch(done: usize, found: usize, edges: usize) -> Range<u32> {
+    const STATES: usize = 1 << 14;
+    const EDGES: usize = 1 << 18;
+    let states = (EDGES * done / edges.max(1)).clamp(1, STATES);
+    done as u32..found.min(done + states) as u32
+}
 
 /// What is known of one state.
 #[derive(Clone, Copy, Debug)]
@@ -188,7 +198,8 @@ impl Block {
         &self.heads
     }
 
-    /// Bytes of what was noted of states and edges. The rest is small, and depends on how many blocks there are.
+    /// Bytes of what was noted of states and edges. What new rows take depends on how many blocks there are; it is at most
+    /// about as much again, and batches are small.
     pub(crate) fn memory(&self) -> usize {
         self.heads.len() * size_of::<Head>() + self.edges.len() * (size_of::<Found>() + size_of::<u32>())
     }
@@ -260,6 +271,15 @@ mod tests {
     use super::*;
     use proptest::collection::vec;
     use proptest::prelude::{prop_assert_eq, proptest};
+
+    #[test]
+    fn states_with_many_edges_come_in_small_batches() {
+        assert_eq!(next_batch(0, 1, 0), 0..1);
+        assert_eq!(next_batch(100, 100_000, 1600), 100..100 + (1 << 14));
+        assert_eq!(next_batch(100, 200, 1600), 100..200);
+        assert_eq!(next_batch(1, 4504, 4503), 1..59);
+        assert_eq!(next_batch(2, 9, 1 << 20), 2..3);
+    }
 
     #[test]
     fn sets_may_become_longer() {

@@ -29,7 +29,7 @@ mod tables;
 mod trees;
 mod wishes;
 
-pub(crate) use block::{Block, Found, Head, Reader};
+pub(crate) use block::{Block, Found, Head, Reader, next_batch};
 pub(crate) use layout::Layout;
 pub(crate) use learn::{Learned, learn};
 pub use moves::{Edge, PackedMoves};

@@ -12,9 +12,6 @@ use crate::parallel;
 use crate::successors::{Block, Found, PackedMoves};
 use std::ops::Range;
 
-/// Most nodes of a batch.
-pub(super) const BATCH: usize = 1 << 14;
-
 /// Fewer nodes are not worth another thread.
 const LEAST_SHARE: usize = 128;
 

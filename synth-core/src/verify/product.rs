@@ -1,6 +1,6 @@
 //! The product of controller and specification, breadth first.
 
-use super::batch::{BATCH, add, fill};
+use super::batch::{add, fill};
 use super::graph::{Graph, Rest};
 use super::machine::Machine;
 use super::nodes::{Control, Nodes};
@@ -9,7 +9,7 @@ use super::{Refutation, VerifyError};
 use crate::controller::Controller;
 use crate::model::{Kind, Spec};
 use crate::playout::{EventId, KeyId, Playout, Semantics};
-use crate::successors::{Block, Found, Head, Learned, PackedMoves, Reader, SetId};
+use crate::successors::{Block, Found, Head, Learned, PackedMoves, Reader, SetId, next_batch};
 use std::ops::Range;
 
 /// Edges have `u32` offsets; one node adds fewer than the rest.
@@ -115,8 +115,8 @@ struct Explorer<'c, 's> {
 impl<'s> Explorer<'_, 's> {
     fn run(mut self, threads: usize) -> Result<Product<'s>, VerifyError> {
         while self.product.graph.nodes() < self.product.nodes.len() {
-            let start = self.product.graph.nodes();
-            let batch = start as u32..self.product.nodes.len().min(start + BATCH) as u32;
+            let Product { graph, nodes, .. } = &self.product;
+            let batch = next_batch(graph.nodes(), nodes.len(), graph.target.len());
             let (filled, end) = self.find(&batch, threads);
             let (blocks, again) =
                 (std::mem::take(&mut self.blocks), std::mem::take(&mut self.looked_at_again));

@@ -98,7 +98,8 @@ impl Search<'_> {
         let (first, sources) = self.graph.sources();
         let waits: Vec<AtomicBool> = (0..self.graph.nodes()).map(|_| AtomicBool::new(true)).collect();
         let waits = |node: usize| &waits[node];
-        // Whoever sees that a node waits sees what was struck out before.
+        // Whoever sees that a node waits sees what was struck out before, by all that made it wait: each swaps, so that none of
+        // them hides another's release.
         while self.round(threads, |node| {
             if !waits(node).load(Ordering::Relaxed) || !waits(node).swap(false, Ordering::Acquire) {
                 return false;
@@ -108,7 +109,7 @@ impl Search<'_> {
             if struck != 0 {
                 for &source in &sources[first[node] as usize..first[node + 1] as usize] {
                     if self.get(source as usize) & struck != 0 {
-                        waits(source as usize).store(true, Ordering::Release);
+                        waits(source as usize).swap(true, Ordering::Release);
                         some_wait = true;
                     }
                 }
