@@ -12,8 +12,10 @@ use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 /// Goals that are looked at together.
 pub(super) const GOALS: usize = u64::BITS as usize;
 
-/// So often are all nodes looked at that some goal can starve from, before it is found out which ones to look at again.
-const SWEEPS: usize = 3;
+/// So often are all nodes looked at that some goal can starve from, before it is found out which ones to look at again. One time
+/// takes a few nanoseconds a node, and a few dozen are enough but for long chains against the numbers; to find out which ones
+/// takes as long as a hundred.
+const SWEEPS: usize = 64;
 
 /// Nodes that one thread looks at before it takes others.
 const PART: u32 = 1 << 12;
