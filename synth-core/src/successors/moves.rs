@@ -191,6 +191,28 @@ impl Successors {
         moves(&mut &*self, row, out)
     }
 
+    /// The same for an event of the system that is known to be wanted: if it shows by itself that its turn has come, its move
+    /// is the only one.
+    ///
+    /// # Errors
+    /// As for [`Successors::moves`], or it takes all moves to say whose turn it is.
+    pub(crate) fn command(&self, row: &[u64], event: EventId, out: &mut PackedMoves) -> Result<(), Miss> {
+        out.clear(self.layout.words());
+        survey(&mut &*self, row, out)?;
+        let pressing = |one: &&Pressing| out.wishes.has(one.of_system) || out.wishes.has(one.of_environment);
+        let (turn, class) = match PRESSING.iter().find(pressing) {
+            Some(one) => (one.by_system, one.of_system),
+            None if self.layout.field(YIELDED).read(row) == 0 => {
+                (Turn::SystemEventually, class::SYSTEM_EVENTUALLY)
+            }
+            None => return Err(Miss),
+        };
+        let is_firm = out.wishes.asks(class, self.events[event as usize].rank).ok_or(Miss)?;
+        let decides = offer(&mut &*self, row, event, is_firm, out)?;
+        out.turn = turn;
+        if decides || turn == Turn::SystemEventually && !out.edges.is_empty() { Ok(()) } else { Err(Miss) }
+    }
+
     /// The events that [`Playout::owed`](crate::playout::Playout::owed) gives, into a cleared list; `room` is overwritten.
     ///
     /// # Errors
@@ -246,19 +268,35 @@ fn union<S: Source>(source: &mut S, a: SetId, b: SetId) -> Result<SetId, Miss> {
     }
 }
 
+/// What comes before all that is not pressing: first the system's wishes of a class, then the environment's.
+struct Pressing {
+    by_system: Turn,
+    of_system: u8,
+    by_environment: Turn,
+    of_environment: u8,
+}
+
+/// The classes of pressing wishes, the most pressing first.
+const PRESSING: [Pressing; 2] = [
+    Pressing {
+        by_system: Turn::SystemCommitted,
+        of_system: class::SYSTEM_COMMITTED,
+        by_environment: Turn::EnvironmentCommitted,
+        of_environment: class::ENVIRONMENT_COMMITTED,
+    },
+    Pressing {
+        by_system: Turn::SystemUrgent,
+        of_system: class::SYSTEM_URGENT,
+        by_environment: Turn::EnvironmentUrgent,
+        of_environment: class::ENVIRONMENT_URGENT,
+    },
+];
+
 pub(super) fn moves<S: Source>(source: &mut S, row: &[u64], out: &mut PackedMoves) -> Result<(), Miss> {
     out.clear(source.tables().layout.words());
     survey(source, row, out)?;
     let yielded = source.tables().layout.field(YIELDED).read(row) != 0;
-    for (by_system, of_system, by_environment, of_environment) in [
-        (
-            Turn::SystemCommitted,
-            class::SYSTEM_COMMITTED,
-            Turn::EnvironmentCommitted,
-            class::ENVIRONMENT_COMMITTED,
-        ),
-        (Turn::SystemUrgent, class::SYSTEM_URGENT, Turn::EnvironmentUrgent, class::ENVIRONMENT_URGENT),
-    ] {
+    for Pressing { by_system, of_system, by_environment, of_environment } in PRESSING {
         if system_moves(source, row, of_system, out)? {
             out.turn = by_system;
             return Ok(());
@@ -358,22 +396,13 @@ fn system_moves<S: Source>(
         return Ok(false);
     }
     let carried = out.edges.len();
-    let classic = source.tables().classic;
-    let barred = flag::GUARANTEE | if classic { 0 } else { flag::ASSUMPTION };
-    let freed = flag::EXCUSED_GUARANTEE | if classic { 0 } else { flag::EXCUSED_ASSUMPTION };
     let mut decides = false;
     for index in 0..out.wishes.words() {
         let (mut bits, firm) = out.wishes.word(class, index);
         while bits != 0 {
             let is_firm = firm & bits & bits.wrapping_neg() != 0;
             let event = source.tables().by_rank[take(&mut bits, index)];
-            if source.tables().concerns.is_barred(event, row, barred) {
-                continue;
-            }
-            let Some(step) = step(source, row, event, barred, out)? else { continue };
-            let breaks_assumption = step.flags & flag::ASSUMPTION != 0;
-            decides |= is_firm && step.flags & freed == 0;
-            admit(source, event, step, breaks_assumption.then_some(Turn::Won), out)?;
+            decides |= offer(source, row, event, is_firm, out)?;
         }
     }
     if carried > 0 {
@@ -382,6 +411,28 @@ fn system_moves<S: Source>(
         out.edges.dedup_by_key(|edge| edge.event);
     }
     Ok(decides)
+}
+
+/// Appends an event of the system if it is executable; whether it decides the turn, being asked for by a guarantee in force if
+/// `is_firm`.
+#[inline]
+fn offer<S: Source>(
+    source: &mut S,
+    row: &[u64],
+    event: EventId,
+    is_firm: bool,
+    out: &mut PackedMoves,
+) -> Result<bool, Miss> {
+    let classic = source.tables().classic;
+    let barred = flag::GUARANTEE | if classic { 0 } else { flag::ASSUMPTION };
+    let freed = flag::EXCUSED_GUARANTEE | if classic { 0 } else { flag::EXCUSED_ASSUMPTION };
+    if source.tables().concerns.is_barred(event, row, barred) {
+        return Ok(false);
+    }
+    let Some(step) = step(source, row, event, barred, out)? else { return Ok(false) };
+    let breaks_assumption = step.flags & flag::ASSUMPTION != 0;
+    admit(source, event, step, breaks_assumption.then_some(Turn::Won), out)?;
+    Ok(is_firm && step.flags & freed == 0)
 }
 
 /// Appends the environment's executable events among the candidates; whether one of them needs nothing relaxed to be

@@ -41,6 +41,13 @@ impl Wishes {
         self.some >> (2 * class) & 3 != 0
     }
 
+    /// Whether more than relaxed scenarios ask for an event, if any do.
+    pub(super) fn asks(&self, class: u8, rank: u32) -> Option<bool> {
+        let (all, firm) = self.word(class, (rank / u64::BITS) as usize);
+        let bit = 1 << (rank % u64::BITS);
+        (all & bit != 0).then_some(firm & bit != 0)
+    }
+
     /// Words of a set.
     pub(super) fn words(&self) -> usize {
         self.words
@@ -90,6 +97,8 @@ mod tests {
             assert!(wishes.has(class::SYSTEM_URGENT) && !wishes.has(class::SYSTEM_COMMITTED));
             assert_eq!(wishes.word(class::SYSTEM_URGENT, 0), (1 << 3, 0));
             assert_eq!(wishes.word(class::SYSTEM_URGENT, 1), (1 << 35, 1 << 35));
+            let asked = [3, 99, 4].map(|rank| wishes.asks(class::SYSTEM_URGENT, rank));
+            assert_eq!(asked, [Some(false), Some(true), None]);
             set.fill(0);
             (0..class::COUNT as u8).for_each(|class| wishes.add_to(class, &mut set));
             assert_eq!(set, [1 | 1 << 3, 1 << 35]);

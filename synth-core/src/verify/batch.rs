@@ -32,7 +32,10 @@ fn fill_one(block: &mut Block, nodes: &Nodes, machine: &Machine<'_>, part: Range
     let mut found = Vec::new();
     for node in part {
         let (state, control) = nodes.get(node, &mut row);
-        let is_known = nodes.successors.moves_and_keys(state, &mut moves).is_ok();
+        // Of the system's moves only the one counts that the controller makes.
+        let by_command = machine.next(control).map(|event| nodes.successors.command(state, event, &mut moves));
+        let is_known =
+            by_command == Some(Ok(())) || nodes.successors.moves_and_keys(state, &mut moves).is_ok();
         if is_known && steps(machine, control, &moves, &mut found).is_ok() {
             add(block, nodes, &moves, &found);
         } else {

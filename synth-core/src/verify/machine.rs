@@ -24,6 +24,8 @@ pub(super) struct Machine<'a> {
     commands: FxHashMap<&'a str, u32>,
     /// Per event of play-out: its index among the controller's events and commands.
     letters: Vec<(u32, u32)>,
+    /// Per command: what play-out calls it, if it has met it.
+    met: Vec<Option<EventId>>,
 }
 
 impl<'a> Machine<'a> {
@@ -60,7 +62,8 @@ impl<'a> Machine<'a> {
             events.iter().enumerate().map(|(index, event)| (event.text.as_str(), index as u32)).collect()
         };
         let (events, commands) = (by_text(&controller.events), by_text(&controller.commands));
-        Machine { controller, first, rows, due, events, commands, letters: Vec::new() }
+        let met = vec![None; controller.commands.len()];
+        Machine { controller, first, rows, due, events, commands, letters: Vec::new(), met }
     }
 
     /// Takes note of events that play-out has met since.
@@ -68,7 +71,11 @@ impl<'a> Machine<'a> {
         for event in self.letters.len()..playout.event_count() {
             let text = playout.event(event as EventId).text.as_str();
             let find = |by_text: &FxHashMap<&str, u32>| by_text.get(text).copied().unwrap_or(NONE);
-            self.letters.push((find(&self.events), find(&self.commands)));
+            let (letter, command) = (find(&self.events), find(&self.commands));
+            self.letters.push((letter, command));
+            if let Some(met) = self.met.get_mut(command as usize) {
+                *met = Some(event as EventId);
+            }
         }
     }
 
@@ -83,6 +90,12 @@ impl<'a> Machine<'a> {
     pub(super) fn due(&self, state: u32) -> Option<SuperStep<'a>> {
         let row = self.due[state as usize];
         (row != NONE).then(|| self.controller.super_steps.row(row as usize))
+    }
+
+    /// The command that comes next, if one is due and play-out has met it.
+    pub(super) fn next(&self, control: Control) -> Option<EventId> {
+        let command = *self.due(control.state)?.events.get(control.position as usize)?;
+        self.met[command as usize]
     }
 
     /// The events that a state accepts, to be asked for one after the other.
