@@ -18,6 +18,7 @@ pub mod explore;
 pub mod external;
 mod fnv;
 pub mod game;
+mod index;
 mod intern;
 pub mod logic;
 pub mod model;

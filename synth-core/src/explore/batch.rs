@@ -7,7 +7,7 @@
 
 use crate::game::{KeySetsBuilder, Turn};
 use crate::parallel;
-use crate::successors::{Block, Found, PackedMoves, StateId, StateStore};
+use crate::successors::{Block, Found, Known, PackedMoves, StateId, StateStore};
 use std::ops::Range;
 
 /// Fewer states are not worth another thread.
@@ -29,28 +29,29 @@ pub(super) fn fill(
 }
 
 fn fill_one(block: &mut Block, store: &StateStore, sets: &KeySetsBuilder, states: Range<StateId>) {
-    block.clear(&store.rows);
+    let known = Known { rows: &store.rows, sets };
+    block.clear(known);
     let (mut moves, mut row) = (std::mem::take(&mut block.moves), std::mem::take(&mut block.row));
     for state in states {
         if store.successors.moves_and_keys(store.rows.get(state, &mut row), &mut moves).is_ok() {
-            add(block, store, sets, &moves);
+            add(block, known, &moves);
         } else {
             block.miss();
         }
     }
-    block.look_up(&store.rows);
+    block.look_up(known);
     (block.moves, block.row) = (moves, row);
 }
 
-/// Notes the moves of the next state. The set of its open keys is that of the game, if it had one like this when the batch began.
-pub(super) fn add(block: &mut Block, store: &StateStore, sets: &KeySetsBuilder, moves: &PackedMoves) {
+/// Notes the moves of the next state. The set of its open keys is one of the game, whose sets are known.
+pub(super) fn add(block: &mut Block, known: Known<'_>, moves: &PackedMoves) {
     for edge in moves.edges() {
         let found = Found { event: edge.event, discharged: edge.discharged };
         match edge.end {
-            None => block.add(&store.rows, found, moves.target(edge).iter().copied()),
+            None => block.add(known, found, moves.target(edge).iter().copied()),
             Some(Turn::Won) => block.add_end(found, WON),
             Some(_) => block.add_end(found, LOST),
         }
     }
-    block.push(moves, sets.find_bits(moves.open_keys()));
+    block.push(known, moves);
 }

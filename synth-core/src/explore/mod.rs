@@ -16,7 +16,7 @@ use crate::diagnostic::counted;
 use crate::game::{ActionsBuilder, Game, KeySets, ShortestPaths, Turn, YIELD};
 use crate::model::{Kind, Spec};
 use crate::playout::{EventId, KeyId, PlayError, Playout, Semantics};
-use crate::successors::{Block, Found, Head, Learned, PackedMoves, Reader, next_batch, reserve};
+use crate::successors::{Block, Found, Head, Known, Learned, PackedMoves, Reader, next_batch, reserve};
 use batch::{LOST, WON};
 pub(crate) use game_sets::GameSets;
 use std::fmt;
@@ -226,14 +226,15 @@ impl Explorer<'_, '_> {
         loop {
             let filled =
                 batch::fill(&mut self.blocks, &self.store, &self.sets.builder, states.clone(), threads);
-            self.learned.clear(&self.store.rows);
+            self.learned.clear(Known { rows: &self.store.rows, sets: &self.sets.builder });
             let mut narrow = Vec::new();
             let mut mistake = None;
             let heads = self.blocks[..filled].iter().flat_map(Block::heads);
             for (state, _) in states.clone().zip(heads).filter(|(_, head)| head.missed) {
                 match self.store.learn(self.playout, state, &mut narrow, &mut moves) {
                     Ok(Learned::Moves) => {
-                        batch::add(&mut self.learned, &self.store, &self.sets.builder, &moves);
+                        let known = Known { rows: &self.store.rows, sets: &self.sets.builder };
+                        batch::add(&mut self.learned, known, &moves);
                     }
                     Ok(Learned::Narrow) => {}
                     Err((event, error)) => {
@@ -243,7 +244,7 @@ impl Explorer<'_, '_> {
                 }
             }
             if narrow.is_empty() {
-                self.learned.look_up(&self.store.rows);
+                self.learned.look_up(Known { rows: &self.store.rows, sets: &self.sets.builder });
                 return (filled, mistake);
             }
             self.store.widen(&narrow);
@@ -275,7 +276,7 @@ impl Explorer<'_, '_> {
     }
 
     fn add(&mut self, head: Head, edges: &[Found], reader: &mut Reader<'_>) {
-        let open = reader.open(head, |keys| self.sets.builder.intern_bits(keys));
+        let open = reader.open(head, &mut self.sets.builder);
         for edge in edges {
             let target = reader.target(&mut self.store.rows);
             let discharged = self.sets.of(edge.discharged, &self.store);

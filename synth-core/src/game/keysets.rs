@@ -1,8 +1,6 @@
 //! Interned sets of fairness keys: few distinct ones, shared by many states and edges. A set is a bit for each key.
 
-use hashbrown::HashTable;
-use rustc_hash::FxHasher;
-use std::hash::Hasher;
+use crate::index::{Index, hash_words};
 
 /// All distinct sets; set 0 is the empty one.
 #[derive(Clone, Debug)]
@@ -73,13 +71,13 @@ impl KeySets {
 #[derive(Debug)]
 pub struct KeySetsBuilder {
     sets: KeySets,
-    index: HashTable<u32>,
+    index: Index,
 }
 
 impl Default for KeySetsBuilder {
     fn default() -> Self {
         let sets = KeySets { keys: 0, words: 1, bits: Vec::new() };
-        let mut builder = KeySetsBuilder { sets, index: HashTable::new() };
+        let mut builder = KeySetsBuilder { sets, index: Index::default() };
         builder.intern(&[]);
         builder
     }
@@ -98,28 +96,45 @@ impl KeySetsBuilder {
 
     /// The id of a set, given as a bit for each key, 64 a word; words that are left out are 0.
     pub(crate) fn intern_bits(&mut self, bits: &[u64]) -> u32 {
+        self.intern_hashed(hash_set(bits), bits)
+    }
+
+    /// The same where the hash is known.
+    pub(crate) fn intern_hashed(&mut self, hash: u64, bits: &[u64]) -> u32 {
+        if let Some(set) = self.find_hashed(hash, bits) {
+            return set;
+        }
         let bits = significant(bits);
         if bits.len() > self.sets.words {
             self.widen(bits.len());
         }
         let KeySetsBuilder { sets, index } = self;
-        let code = hash(bits);
-        if let Some(&set) = index.find(code, |&set| significant(sets.row(set)) == bits) {
-            return set;
-        }
         let set = sets.len() as u32;
+        if !index.has_room() {
+            *index = Index::with_room_for(sets.len() + 1);
+            (0..set).for_each(|set| index.insert(hash_set(sets.row(set)), set));
+        }
+        index.insert(hash, set);
         sets.bits.extend_from_slice(bits);
         sets.bits.resize((set as usize + 1) * sets.words, 0);
         let keys = bits.len() as u32 * u64::BITS - bits.last().map_or(0, |last| last.leading_zeros());
         sets.keys = sets.keys.max(keys);
-        index.insert_unique(code, set, |&set| hash(significant(sets.row(set))));
         set
     }
 
     /// The id of a set given like this, if it was met before.
     pub(crate) fn find_bits(&self, bits: &[u64]) -> Option<u32> {
-        let bits = significant(bits);
-        self.index.find(hash(bits), |&set| significant(self.sets.row(set)) == bits).copied()
+        self.find_hashed(hash_set(bits), bits)
+    }
+
+    /// The same where the hash is known.
+    pub(crate) fn find_hashed(&self, hash: u64, bits: &[u64]) -> Option<u32> {
+        self.index.find(hash, |set| significant(self.sets.row(set)) == significant(bits))
+    }
+
+    /// Prepares for sets with these hashes.
+    pub(crate) fn fetch(&self, hashes: &[u64]) {
+        self.index.fetch(hashes);
     }
 
     /// Makes room for more keys, which happens seldom.
@@ -154,7 +169,7 @@ impl KeySetsBuilder {
     /// Bytes held.
     #[must_use]
     pub fn memory(&self) -> usize {
-        self.sets.memory() + self.index.allocation_size()
+        self.sets.memory() + self.index.memory()
     }
 
     /// The finished sets.
@@ -182,10 +197,10 @@ fn significant(bits: &[u64]) -> &[u64] {
     &bits[..end]
 }
 
-fn hash(bits: &[u64]) -> u64 {
-    let mut hasher = FxHasher::default();
-    bits.iter().for_each(|&word| hasher.write_u64(word));
-    hasher.finish()
+/// The hash by which a set is found.
+#[inline]
+pub(crate) fn hash_set(bits: &[u64]) -> u64 {
+    hash_words(significant(bits).iter().copied())
 }
 
 #[cfg(test)]

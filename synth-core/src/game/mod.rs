@@ -28,7 +28,7 @@ pub use counter_strategy::{CounterStrategy, Standing};
 pub use extract::{ExtractError, extract, extract_on};
 pub use fairness::trapped;
 pub use keysets::{KeySets, KeySetsBuilder};
-pub(crate) use keysets::{insert, words_for};
+pub(crate) use keysets::{hash_set, insert, words_for};
 pub use paths::ShortestPaths;
 pub use separation::overpowered;
 pub use solve::{Solution, solve, solve_ending, solve_on};

@@ -4,11 +4,11 @@
 //! leads there, and numbered when the block is read, in the order of its edges. That is as if each edge had been followed
 //! when it was found.
 
-use super::index::Index;
 use super::moves::PackedMoves;
-use super::rows::{PackedRows, WINDOW, hash_row};
+use super::rows::{PackedRows, hash_row};
 use super::sets::SetId;
-use crate::game::Turn;
+use crate::game::{KeySetsBuilder, Turn, hash_set};
+use crate::index::{Index, WINDOW};
 use crate::playout::EventId;
 use std::ops::Range;
 
@@ -22,6 +22,13 @@ pub(crate) fn next_batch(done: usize, found: usize, edges: usize) -> Range<u32> 
     const EDGES: usize = 1 << 18;
     let states = (EDGES * done / edges.max(1)).clamp(1, STATES);
     done as u32..found.min(done + states) as u32
+}
+
+/// What has numbers while states are looked at.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Known<'k> {
+    pub(crate) rows: &'k PackedRows,
+    pub(crate) sets: &'k KeySetsBuilder,
 }
 
 /// What is known of one state.
@@ -57,6 +64,7 @@ pub(crate) struct Block {
     /// The sets of open keys that had no number, in the order of the states, a bit for each key.
     new_sets: New,
     waiting: Waiting,
+    waiting_sets: Waiting,
     /// Room to find moves, and a row.
     pub(crate) moves: PackedMoves,
     pub(crate) row: Vec<u64>,
@@ -116,34 +124,39 @@ impl New {
     }
 }
 
-/// Rows that have not been looked up yet.
+/// Rows, or sets, that have not been looked up yet, side by side.
 #[derive(Debug, Default)]
 struct Waiting {
-    /// Per row: the edge that leads there.
-    edges: Vec<u32>,
+    /// For each the edge that leads there, or the state.
+    places: Vec<u32>,
     hashes: Vec<u64>,
-    rows: Vec<u64>,
+    words: Vec<u64>,
     found: Vec<u32>,
 }
 
 impl Waiting {
     fn clear(&mut self) {
-        self.edges.clear();
+        self.places.clear();
         self.hashes.clear();
-        self.rows.clear();
+        self.words.clear();
+    }
+
+    fn is_full(&self) -> bool {
+        self.places.len() >= WINDOW
     }
 }
 
 impl Block {
-    /// Forgets everything. These rows have numbers.
-    pub(crate) fn clear(&mut self, known: &PackedRows) {
+    /// Forgets everything.
+    pub(crate) fn clear(&mut self, known: Known<'_>) {
         self.heads.clear();
         self.edges.clear();
         self.targets.clear();
-        self.known = known.len() as u32;
+        self.known = known.rows.len() as u32;
         self.new.clear();
         self.new_sets.clear();
         self.waiting.clear();
+        self.waiting_sets.clear();
     }
 
     /// Notes the next state, of which nothing is known.
@@ -153,16 +166,15 @@ impl Block {
     }
 
     /// Notes an edge of the next state, which leads to a row.
-    pub(crate) fn add(&mut self, known: &PackedRows, edge: Found, row: impl IntoIterator<Item = u64>) {
-        let Waiting { edges, hashes, rows, .. } = &mut self.waiting;
-        let start = rows.len();
-        rows.extend(row);
-        hashes.push(hash_row(&rows[start..]));
-        edges.push(self.edges.len() as u32);
-        let is_full = edges.len() == WINDOW;
+    pub(crate) fn add(&mut self, known: Known<'_>, edge: Found, row: impl IntoIterator<Item = u64>) {
+        let Waiting { places, hashes, words, .. } = &mut self.waiting;
+        let start = words.len();
+        words.extend(row);
+        hashes.push(hash_row(&words[start..]));
+        places.push(self.edges.len() as u32);
         self.add_end(edge, NONE);
-        if is_full {
-            self.look_up(known);
+        if self.waiting.is_full() {
+            self.look_up_rows(known.rows);
         }
     }
 
@@ -172,26 +184,49 @@ impl Block {
         self.targets.push(target);
     }
 
-    /// Notes the next state; its edges have been added. The set of its open keys is `open`, or has no number if that is none.
-    pub(crate) fn push(&mut self, moves: &PackedMoves, open: Option<SetId>) {
-        let end = self.edges.len() as u32;
-        let (turn, silent, keys) = (moves.turn, moves.silent, moves.open_keys());
-        let open = open.unwrap_or_else(|| SetId::MAX - self.new_sets.intern(hash_row(keys), keys));
-        self.heads.push(Head { turn, silent, missed: false, open, end });
+    /// Notes the next state; its edges have been added.
+    pub(crate) fn push(&mut self, known: Known<'_>, moves: &PackedMoves) {
+        let keys = moves.open_keys();
+        let Waiting { places, words, .. } = &self.waiting_sets;
+        // All that wait have as many words.
+        if self.waiting_sets.is_full() || words.len() != places.len() * keys.len() {
+            self.look_up_sets(known.sets);
+        }
+        let Waiting { places, hashes, words, .. } = &mut self.waiting_sets;
+        words.extend_from_slice(keys);
+        hashes.push(hash_set(keys));
+        places.push(self.heads.len() as u32);
+        let (turn, silent, end) = (moves.turn, moves.silent, self.edges.len() as u32);
+        self.heads.push(Head { turn, silent, missed: false, open: NONE, end });
     }
 
-    /// Looks up where the edges added last lead. Only then can the block be read.
-    pub(crate) fn look_up(&mut self, known: &PackedRows) {
-        let mut waiting = std::mem::take(&mut self.waiting);
-        let Waiting { edges, hashes, rows, found } = &mut waiting;
-        known.find_all(hashes, rows, NONE, found);
-        let rows = hashes.iter().zip(rows.chunks_exact(known.words()));
-        for ((&edge, &id), (&hash, row)) in edges.iter().zip(&*found).zip(rows) {
+    /// Looks up where the edges added last lead, and what is open in the states noted last. Only then can the block be read.
+    pub(crate) fn look_up(&mut self, known: Known<'_>) {
+        self.look_up_rows(known.rows);
+        self.look_up_sets(known.sets);
+    }
+
+    fn look_up_rows(&mut self, known: &PackedRows) {
+        let Waiting { places, hashes, words, found } = &mut self.waiting;
+        known.find_all(hashes, words, NONE, found);
+        let rows = hashes.iter().zip(words.chunks_exact(known.words()));
+        for ((&edge, &id), (&hash, row)) in places.iter().zip(&*found).zip(rows) {
             self.targets[edge as usize] =
                 if id == NONE { self.known + self.new.intern(hash, row) } else { id };
         }
-        waiting.clear();
-        self.waiting = waiting;
+        self.waiting.clear();
+    }
+
+    fn look_up_sets(&mut self, known: &KeySetsBuilder) {
+        let Waiting { places, hashes, words, .. } = &mut self.waiting_sets;
+        known.fetch(hashes);
+        let length = words.len() / places.len().max(1);
+        for (index, (&state, &hash)) in places.iter().zip(&*hashes).enumerate() {
+            let keys = &words[index * length..(index + 1) * length];
+            let new = || SetId::MAX - self.new_sets.intern(hash, keys);
+            self.heads[state as usize].open = known.find_hashed(hash, keys).unwrap_or_else(new);
+        }
+        self.waiting_sets.clear();
     }
 
     pub(crate) fn heads(&self) -> &[Head] {
@@ -231,16 +266,19 @@ impl<'b> Reader<'b> {
         Some((head, edges))
     }
 
-    /// The set of a state's open keys; `intern` gives a new one, a bit for each key, its number now.
-    pub(crate) fn open(&mut self, head: Head, intern: impl FnOnce(&[u64]) -> SetId) -> SetId {
-        let Block { new_sets, .. } = self.block;
+    /// The set of a state's open keys; one that is new gets its number now.
+    pub(crate) fn open(&mut self, head: Head, sets: &mut KeySetsBuilder) -> SetId {
+        let New { hashes, .. } = &self.block.new_sets;
         let at = (SetId::MAX - head.open) as usize;
-        if at >= new_sets.hashes.len() {
+        if at >= hashes.len() {
             return head.open;
         }
         // They come in their order.
         if at == self.sets.len() {
-            self.sets.push(intern(new_sets.get(at)));
+            if at.is_multiple_of(WINDOW) {
+                sets.fetch(&hashes[at..hashes.len().min(at + WINDOW)]);
+            }
+            self.sets.push(sets.intern_hashed(hashes[at], self.block.new_sets.get(at)));
         }
         self.sets[at]
     }
@@ -289,20 +327,13 @@ mod tests {
         assert_eq!([0, 1, 2, 3].map(|at| new.get(at).to_vec()), [[1, 0], [2, 0], [0, 1], [1, 1]]);
     }
 
-    /// The number of a set in the order in which they come.
-    fn set(sets: &mut Vec<u64>, keys: u64) -> SetId {
-        let at = sets.iter().position(|&one| one == keys).unwrap_or(sets.len());
-        sets.resize(sets.len().max(at + 1), keys);
-        at as SetId
-    }
-
     proptest! {
         /// Numbers are those of following each edge at once, whatever is in which block, and whatever sets learning makes while a
         /// block is filled.
         #[test]
         fn numbers_are_those_of_one_search(
             known in vec(0..300_u64, 0..100),
-            first in vec(vec(0..300_u64, 0..5), 0..300),
+            first in vec(vec(0..300_u64, 0..5), 0..600),
             second in vec(vec(0..300_u64, 0..5), 0..300),
             learned in vec(0..300_u64, 0..3),
         ) {
@@ -313,40 +344,41 @@ mod tests {
                 rows.intern(hash_row(&[*row]), &[*row]);
                 expected.intern(hash_row(&[*row]), &[*row]);
             }
-            let mut sets = vec![7, 1];
-            let mut expected_sets = sets.clone();
+            let (mut sets, mut expected_sets) = (KeySetsBuilder::default(), KeySetsBuilder::default());
             let blocks = [first, second].map(|states| {
                 let mut block = Block::default();
-                block.clear(&rows);
+                block.clear(Known { rows: &rows, sets: &sets });
                 let mut moves = PackedMoves::default();
-                for edges in &states {
+                for (state, edges) in states.iter().enumerate() {
+                    let known = Known { rows: &rows, sets: &sets };
                     for &row in edges {
                         let edge = Found { event: row as u32, discharged: 0 };
-                        if row == 0 { block.add_end(edge, END) } else { block.add(&rows, edge, [row]) }
+                        if row == 0 { block.add_end(edge, END) } else { block.add(known, edge, [row]) }
                     }
                     let Some(&keys) = edges.last() else {
                         block.miss();
                         continue;
                     };
-                    moves.open_keys = vec![keys];
-                    // Before the first set of the block is asked for, so learning is the first to number it.
+                    // There are more keys from some state on.
+                    moves.open_keys = if state < 100 { vec![keys] } else { vec![keys, keys & 1] };
+                    block.push(known, &moves);
+                    // Learning may be the first to number a set that the block has noted.
                     for &keys in &learned {
-                        set(&mut sets, keys);
-                        set(&mut expected_sets, keys);
+                        prop_assert_eq!(sets.intern_bits(&[keys]), expected_sets.intern_bits(&[keys]));
                     }
-                    block.push(&moves, sets.iter().position(|&one| one == keys).map(|at| at as SetId));
                 }
-                block.look_up(&rows);
-                (states, block)
+                block.look_up(Known { rows: &rows, sets: &sets });
+                Ok((states, block))
             });
-            for (states, block) in &blocks {
-                let mut reader = Reader::new(block);
-                for edges in states {
+            for block in blocks {
+                let (states, block) = block?;
+                let mut reader = Reader::new(&block);
+                for (state, edges) in states.iter().enumerate() {
                     let (head, found) = reader.state().expect("as many states");
                     prop_assert_eq!((head.missed, found.len()), (edges.is_empty(), edges.len()));
                     if let Some(&keys) = edges.last() {
-                        let open = reader.open(head, |keys| set(&mut sets, keys[0]));
-                        prop_assert_eq!(open, set(&mut expected_sets, keys));
+                        let keys = if state < 100 { vec![keys] } else { vec![keys, keys & 1] };
+                        prop_assert_eq!(reader.open(head, &mut sets), expected_sets.intern_bits(&keys));
                     }
                     for (&row, found) in edges.iter().zip(found) {
                         let number = if row == 0 { END } else { expected.intern(hash_row(&[row]), &[row]) };
@@ -356,6 +388,7 @@ mod tests {
                 prop_assert_eq!(reader.state().map(|(head, _)| head.missed), None);
             }
             prop_assert_eq!(rows.len(), expected.len());
+            prop_assert_eq!(sets.len(), expected_sets.len());
         }
     }
 }

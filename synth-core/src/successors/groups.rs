@@ -26,6 +26,8 @@ pub(super) struct Groups {
     groups: Vec<Group>,
     /// Per slot, and per value from 1: the group.
     slots: Vec<Vec<GroupId>>,
+    /// Per slot: its scenario.
+    scenarios: Vec<usize>,
     slot_index: FxHashMap<(usize, Box<[Value]>), u32>,
     /// Values by slot and copies.
     index: FxHashMap<(u32, Box<[CopyId]>), u32>,
@@ -55,6 +57,12 @@ impl Groups {
     /// The groups of a slot.
     pub(super) fn of_slot(&self, slot: u32) -> &[GroupId] {
         &self.slots[slot as usize]
+    }
+
+    /// The slots that hold copies of the same scenario as this one, itself among them.
+    pub(super) fn of_same_scenario(&self, slot: u32) -> impl Iterator<Item = u32> {
+        let scenario = self.scenarios[slot as usize];
+        (0..).zip(&self.scenarios).filter(move |&(_, &other)| other == scenario).map(|(slot, _)| slot)
     }
 
     /// The slot of a copy that is known, and the value for the copy alone, if that is known.
@@ -120,6 +128,7 @@ impl Groups {
         let slot = *self.slot_index.entry((copy.scenario, copy.roles.clone())).or_insert(next);
         if slot == next {
             self.slots.push(Vec::new());
+            self.scenarios.push(copy.scenario);
         }
         self.alone.push((slot, UNKNOWN));
         slot == next

@@ -39,7 +39,7 @@ impl Field {
         u64::from(value) <= self.mask
     }
 
-    fn width(self) -> u32 {
+    pub(super) fn width(self) -> u32 {
         self.mask.count_ones()
     }
 }

@@ -1,7 +1,7 @@
 //! Packed rows side by side, found by their contents.
 
-use super::index::Index;
 use super::layout::Layout;
+use crate::index::{Index, WINDOW, hash_words};
 
 /// Distinct rows of some words each, numbered in the order in which they came. A row is held in the bytes that its
 /// fields reach into.
@@ -17,38 +17,26 @@ pub(crate) struct PackedRows {
     index: Index,
 }
 
-/// So many rows are looked up or added at a time: their places are fetched together, which takes hardly longer than one.
-pub(super) const WINDOW: usize = 256;
-
 /// Bytes of a word.
 const WORD: usize = size_of::<u64>();
 
-/// The same on every machine and in every run. The upper half of a product of 64 bits depends on all of the word; it is
-/// folded back, as tables look at both ends.
+/// The hash by which a row is found.
 #[inline]
 pub(crate) fn hash_row(row: &[u64]) -> u64 {
     hash_words(row.iter().copied())
 }
 
-#[inline]
-fn hash_words(row: impl Iterator<Item = u64>) -> u64 {
-    row.fold(0, mixed).wrapping_mul(0xd6e8_feb8_6659_fd93)
-}
-
-#[inline]
-fn mixed(hash: u64, word: u64) -> u64 {
-    let hash = (hash.rotate_left(29) ^ word).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    hash ^ hash >> 32
-}
-
 /// Makes room for more elements. A vector of many grows by a sixteenth: next to nothing of it is empty, and the system
-/// moves its pages without copying.
+/// moves its pages without copying. What is smaller may be copied each time, so it grows by more.
 pub(crate) fn reserve<T>(values: &mut Vec<T>, additional: usize) {
+    const COPIED: usize = 1 << 25;
     if values.capacity() - values.len() < additional {
-        if values.len() < 1 << 16 {
-            values.reserve(additional);
-        } else {
-            values.reserve_exact(additional.max(values.len() / 16));
+        match values.len() * size_of::<T>() {
+            0..=0xffff => values.reserve(additional),
+            bytes => {
+                let part = if bytes <= COPIED { 4 } else { 16 };
+                values.reserve_exact(additional.max(values.len() / part));
+            }
         }
     }
 }

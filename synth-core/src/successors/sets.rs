@@ -24,6 +24,14 @@ impl Sets {
         self.sets.sets()
     }
 
+    pub(super) fn builder(&self) -> &KeySetsBuilder {
+        &self.sets
+    }
+
+    pub(super) fn builder_mut(&mut self) -> &mut KeySetsBuilder {
+        &mut self.sets
+    }
+
     /// The id of a set, given ascending.
     pub(super) fn intern(&mut self, members: &[KeyId]) -> SetId {
         self.sets.intern(members)

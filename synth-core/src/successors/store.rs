@@ -16,18 +16,6 @@ pub struct StateStore {
     pub(crate) rows: PackedRows,
 }
 
-impl Successors {
-    /// The id of a set of keys, given as a bit for each, if it was met before.
-    pub(crate) fn find_set(&self, keys: &[u64]) -> Option<SetId> {
-        Some(self.sets.find_bits(keys)).filter(|&set| set != UNKNOWN_SET)
-    }
-
-    /// The id of a set of keys, given as a bit for each.
-    pub(crate) fn intern_set(&mut self, keys: &[u64]) -> SetId {
-        self.sets.intern_bits(keys)
-    }
-}
-
 impl StateStore {
     /// Holds one state, with id 0.
     #[must_use]

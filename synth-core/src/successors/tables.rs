@@ -5,7 +5,7 @@ use super::groups::{GroupId, Groups};
 use super::layout::Layout;
 use super::sets::{SetId, Sets};
 use super::trees::{NOTHING, Node, Trees, UNKNOWN, is_leaf};
-use crate::game::{KeySets, insert, words_for};
+use crate::game::{KeySets, KeySetsBuilder, insert, words_for};
 use crate::intern::Indexed;
 use crate::model::{Kind, SlotId, Value};
 use crate::playout::{Config, CopyId, EventId, KeyId, Playout};
@@ -306,9 +306,18 @@ impl Successors {
         &self.layout
     }
 
-    /// The layout with room for these values of fields.
+    /// The layout with room for these values of fields. Packing all rows anew takes long, and what comes to one slot soon comes to
+    /// those of the scenario's other bindings, so those that are as narrow get the same room.
     pub(crate) fn widened(&self, narrow: &[(u32, u32)]) -> Layout {
-        self.layout.widened(narrow)
+        let first = self.first_slot() as u32;
+        let width = |slot: u32| self.layout.field((first + slot) as usize).width();
+        let mut values = narrow.to_vec();
+        for &(field, value) in narrow.iter().filter(|(field, _)| *field >= first) {
+            let slot = field - first;
+            let alike = self.groups.of_same_scenario(slot).filter(|&other| width(other) == width(slot));
+            values.extend(alike.map(|other| (first + other, value)));
+        }
+        self.layout.widened(&values)
     }
 
     /// From now on fields lie as this says.
@@ -341,6 +350,15 @@ impl Successors {
     /// The sets of keys that moves discharge, and others that were asked for.
     pub(crate) fn key_sets(&self) -> &KeySets {
         self.sets.all()
+    }
+
+    /// The same, to find and to add some.
+    pub(crate) fn key_sets_builder(&self) -> &KeySetsBuilder {
+        self.sets.builder()
+    }
+
+    pub(crate) fn key_sets_builder_mut(&mut self) -> &mut KeySetsBuilder {
+        self.sets.builder_mut()
     }
 
     /// The groups of copies that are active in a state, with their fields.

@@ -27,13 +27,14 @@ pub(super) fn fill(
 }
 
 fn fill_one(block: &mut Block, nodes: &Nodes, machine: &Machine<'_>, part: Range<u32>) {
-    block.clear(&nodes.rows);
+    block.clear(nodes.known());
     let (mut moves, mut row) = (std::mem::take(&mut block.moves), std::mem::take(&mut block.row));
     let mut found = Vec::new();
     for node in part {
         let (state, control) = nodes.get(node, &mut row);
         // Of the system's moves only the one counts that the controller makes.
-        let by_command = machine.next(control).map(|event| nodes.successors.command(state, event, &mut moves));
+        let by_command =
+            machine.next(control).map(|event| nodes.successors.command(state, event, &mut moves));
         let is_known =
             by_command == Some(Ok(())) || nodes.successors.moves_and_keys(state, &mut moves).is_ok();
         if is_known && steps(machine, control, &moves, &mut found).is_ok() {
@@ -42,7 +43,7 @@ fn fill_one(block: &mut Block, nodes: &Nodes, machine: &Machine<'_>, part: Range
             block.miss();
         }
     }
-    block.look_up(&nodes.rows);
+    block.look_up(nodes.known());
     (block.moves, block.row) = (moves, row);
 }
 
@@ -51,7 +52,7 @@ pub(super) fn add(block: &mut Block, nodes: &Nodes, moves: &PackedMoves, steps: 
     for step in steps {
         let edge = &moves.edges()[step.edge];
         let row = moves.target(edge).iter().copied().chain([nodes.word(step.control)]);
-        block.add(&nodes.rows, Found { event: edge.event, discharged: edge.discharged }, row);
+        block.add(nodes.known(), Found { event: edge.event, discharged: edge.discharged }, row);
     }
-    block.push(moves, nodes.set_of(moves));
+    block.push(nodes.known(), moves);
 }

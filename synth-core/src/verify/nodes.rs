@@ -1,7 +1,7 @@
 //! The nodes of the product found so far, packed.
 
 use crate::playout::{Config, EventId, KeyId, PlayError, Playout};
-use crate::successors::{Learned, PackedMoves, PackedRows, SetId, Successors, hash_row, learn};
+use crate::successors::{Known, Learned, PackedMoves, PackedRows, SetId, Successors, hash_row, learn};
 
 /// Where a controller is: its state, and the next event of the super step that is due there.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -74,9 +74,9 @@ impl Nodes {
         self.successors.key_sets().members(set)
     }
 
-    /// The set of the keys that are open, if it was met before.
-    pub(super) fn set_of(&self, moves: &PackedMoves) -> Option<SetId> {
-        self.successors.find_set(moves.open_keys())
+    /// What has numbers by now.
+    pub(super) fn known(&self) -> Known<'_> {
+        Known { rows: &self.rows, sets: self.successors.key_sets_builder() }
     }
 
     /// Packs all rows anew, with room for these values of fields.

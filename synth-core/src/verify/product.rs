@@ -136,7 +136,7 @@ impl<'s> Explorer<'_, 's> {
         let (mut found, mut row): (Vec<Step>, _) = Default::default();
         loop {
             let filled = fill(blocks, &product.nodes, machine, batch.clone(), threads);
-            again.clear(&product.nodes.rows);
+            again.clear(product.nodes.known());
             let mut narrow = Vec::new();
             let mut end = None;
             let heads = blocks[..filled].iter().flat_map(Block::heads);
@@ -160,7 +160,7 @@ impl<'s> Explorer<'_, 's> {
                 add(again, &product.nodes, &moves, &found);
             }
             if narrow.is_empty() {
-                again.look_up(&product.nodes.rows);
+                again.look_up(product.nodes.known());
                 return (filled, end);
             }
             product.nodes.widen(&narrow);
@@ -195,7 +195,7 @@ impl<'s> Explorer<'_, 's> {
     fn add(&mut self, head: Head, edges: &[Found], reader: &mut Reader<'_>) {
         let Product { nodes: Nodes { successors, rows, .. }, graph, .. } = &mut self.product;
         graph.add_edges(edges.iter().map(|edge| (edge.event, edge.discharged, reader.target(rows))));
-        let open = reader.open(head, |keys| successors.intern_set(keys));
+        let open = reader.open(head, successors.key_sets_builder_mut());
         graph.add_node(open, Rest { environment: head.turn.is_environment(), silent: head.silent });
     }
 }

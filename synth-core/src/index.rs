@@ -1,12 +1,28 @@
-//! Numbers found by hashes, in half the memory accesses of a general table.
+//! Numbers found by hashes of words, in half the memory accesses of a general table.
 
 use std::hint::black_box;
+
+/// So much is looked up or added at a time: the places are fetched together, which takes hardly longer than one.
+pub(crate) const WINDOW: usize = 256;
+
+/// The same on every machine and in every run. The upper half of a product of 64 bits depends on all of the word; it is
+/// folded back, as tables look at both ends.
+#[inline]
+pub(crate) fn hash_words(words: impl Iterator<Item = u64>) -> u64 {
+    words.fold(0, mixed).wrapping_mul(0xd6e8_feb8_6659_fd93)
+}
+
+#[inline]
+fn mixed(hash: u64, word: u64) -> u64 {
+    let hash = (hash.rotate_left(29) ^ word).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    hash ^ hash >> 32
+}
 
 /// Numbers of rows that someone else holds, each below how many there are. A slot is a word of 32 bits, and a search begins at the slot
 /// that the upper bits of the hash name; the lower bits of the hash fill what the number leaves of the word, so a row is seldom
 /// looked at in vain.
 #[derive(Debug, Default)]
-pub(super) struct Index {
+pub(crate) struct Index {
     /// As many as a power of two, or none.
     slots: Vec<u32>,
     /// The bits of a slot that hold a number.
@@ -22,17 +38,17 @@ const FEWEST: usize = 16;
 
 impl Index {
     /// Has room for so many numbers.
-    pub(super) fn with_room_for(count: usize) -> Self {
+    pub(crate) fn with_room_for(count: usize) -> Self {
         let slots = (count + count / 3 + 1).next_power_of_two().max(FEWEST);
         Index { slots: vec![EMPTY; slots], mask: (slots as u64 - 1) as u32, len: 0 }
     }
 
     /// Whether there is room for another number.
-    pub(super) fn has_room(&self) -> bool {
+    pub(crate) fn has_room(&self) -> bool {
         self.len < self.slots.len() / 4 * 3
     }
 
-    pub(super) fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         if self.len > 0 {
             self.slots.fill(EMPTY);
             self.len = 0;
@@ -47,7 +63,7 @@ impl Index {
 
     /// The first number behind this hash for which `is` holds.
     #[inline]
-    pub(super) fn find(&self, hash: u64, is: impl Fn(u32) -> bool) -> Option<u32> {
+    pub(crate) fn find(&self, hash: u64, is: impl Fn(u32) -> bool) -> Option<u32> {
         let mut at = self.home(hash);
         loop {
             let slot = *self.slots.get(at)?;
@@ -63,7 +79,7 @@ impl Index {
 
     /// Adds a number for which there is room.
     #[inline]
-    pub(super) fn insert(&mut self, hash: u64, number: u32) {
+    pub(crate) fn insert(&mut self, hash: u64, number: u32) {
         debug_assert!(self.has_room() && number & !self.mask == 0);
         let mut at = self.home(hash);
         while self.slots[at] != EMPTY {
@@ -74,13 +90,13 @@ impl Index {
     }
 
     /// Lets the processor fetch the slots of many hashes at once, since searching them one by one waits for each.
-    pub(super) fn fetch(&self, hashes: &[u64]) {
+    pub(crate) fn fetch(&self, hashes: &[u64]) {
         let slots = hashes.iter().filter_map(|&hash| self.slots.get(self.home(hash)));
         black_box(slots.fold(0, |all, &slot| all ^ slot));
     }
 
     /// Bytes held.
-    pub(super) fn memory(&self) -> usize {
+    pub(crate) fn memory(&self) -> usize {
         self.slots.capacity() * size_of::<u32>()
     }
 }
