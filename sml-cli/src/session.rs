@@ -194,9 +194,9 @@ impl Session {
         })?;
         self.timings.size(Size {
             states: census.states as usize,
-            edges: census.transitions as usize,
-            of_states: census.bytes as usize,
-            of_edges: 0,
+            edges: Some(census.transitions as usize),
+            of_states: Some(census.bytes as usize),
+            of_edges: None,
         });
         Ok(census)
     }

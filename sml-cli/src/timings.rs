@@ -30,21 +30,24 @@ fn text(timings: &Timings) -> String {
         "stage", "ms", "states", "transitions", "bytes", "peak MiB"
     );
     for Stage { name, time, size, peak } in timings.stages() {
-        let or_blank = |number: usize| if number == 0 { String::new() } else { number.to_string() };
-        let Size { states, edges, of_states, of_edges } = size.unwrap_or_default();
+        let or_blank = |number: Option<usize>| number.map(|number| number.to_string()).unwrap_or_default();
+        let Size { edges, of_states, of_edges, .. } = size.unwrap_or_default();
+        let bytes = of_states.map(|of_states| of_states + of_edges.unwrap_or(0));
         let peak = peak.map(|bytes| format!("{:.1}", bytes as f64 / f64::from(1 << 20))).unwrap_or_default();
         let row = format!(
             "{name:<19} {:>12.3} {:>12} {:>12} {:>14} {peak:>10}",
             milliseconds(*time),
-            or_blank(states),
+            or_blank(size.map(|size| size.states)),
             or_blank(edges),
-            or_blank(of_states + of_edges),
+            or_blank(bytes),
         );
         let _ = writeln!(text, "{}", row.trim_end());
     }
     let _ = writeln!(text, "{:<19} {:>12.3}", "total", milliseconds(timings.total()));
     let game = timings.stages().iter().find(|stage| stage.name == "explore").and_then(|stage| stage.size);
-    if let Some(Size { states, edges, of_states, of_edges }) = game {
+    if let Some(Size { states, edges: Some(edges), of_states: Some(of_states), of_edges: Some(of_edges) }) =
+        game
+    {
         let _ = writeln!(
             text,
             "{}, {}: {:.1} bytes for a state, {:.1} for a transition",
@@ -62,9 +65,13 @@ fn as_json(timings: &Timings) -> Value {
         let mut stage = json!({ "stage": name, "milliseconds": milliseconds(*time), "peak_bytes": peak });
         if let Some(Size { states, edges, of_states, of_edges }) = *size {
             stage["states"] = states.into();
-            stage["transitions"] = edges.into();
-            stage["bytes_of_states"] = of_states.into();
-            stage["bytes_of_transitions"] = of_edges.into();
+            for (field, number) in
+                [("transitions", edges), ("bytes_of_states", of_states), ("bytes_of_transitions", of_edges)]
+            {
+                if let Some(number) = number {
+                    stage[field] = number.into();
+                }
+            }
         }
         stage
     };

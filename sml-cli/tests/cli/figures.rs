@@ -96,6 +96,8 @@ fn timings_for_programs() {
     // Two rows for events and two super steps.
     assert_eq!((&named("minimise")["states"], &named("minimise")["transitions"]), (&4.into(), &4.into()));
     assert_eq!(named("parse").get("states"), None);
+    // Nothing is said of what nobody counts.
+    assert!(named("verify")["states"].as_u64() > Some(0) && named("verify").get("transitions").is_none());
     assert_eq!(named("parse")["peak_bytes"].is_u64(), cfg!(target_os = "linux"));
 }
 

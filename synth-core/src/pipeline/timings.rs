@@ -32,12 +32,12 @@ pub struct Stage {
 pub struct Size {
     /// States or nodes.
     pub states: usize,
-    /// Transitions; of a controller its rows and super steps; 0 where they are not kept.
-    pub edges: usize,
-    /// Bytes held for the states, with their index and with what is remembered of steps; 0 where they are not counted.
-    pub of_states: usize,
-    /// Bytes held for the edges.
-    pub of_edges: usize,
+    /// Transitions, if they are kept; of a controller its rows and super steps.
+    pub edges: Option<usize>,
+    /// Bytes held for the states, with their index and with what is remembered of steps, if they are counted.
+    pub of_states: Option<usize>,
+    /// Bytes held for the edges, if they are counted.
+    pub of_edges: Option<usize>,
 }
 
 impl Timings {
@@ -90,9 +90,9 @@ impl Size {
     pub fn of_game(explored: &Explored<'_>) -> Size {
         Size {
             states: explored.game.states(),
-            edges: explored.game.edges(),
-            of_states: explored.memory_of_states(),
-            of_edges: explored.memory_of_edges(),
+            edges: Some(explored.game.edges()),
+            of_states: Some(explored.memory_of_states()),
+            of_edges: Some(explored.memory_of_edges()),
         }
     }
 
@@ -102,9 +102,9 @@ impl Size {
         let Strategy { state, first, edge, target } = strategy;
         Size {
             states: strategy.nodes(),
-            edges: edge.len(),
-            of_states: (state.capacity() + first.capacity()) * size_of::<u32>(),
-            of_edges: (edge.capacity() + target.capacity()) * size_of::<u32>(),
+            edges: Some(edge.len()),
+            of_states: Some((state.capacity() + first.capacity()) * size_of::<u32>()),
+            of_edges: Some((edge.capacity() + target.capacity()) * size_of::<u32>()),
         }
     }
 
@@ -115,9 +115,9 @@ impl Size {
         let numbers = first.capacity() + first_inhibited.capacity() + inhibited.capacity();
         Size {
             states: closed.len(),
-            edges: edges.len(),
-            of_states: states.capacity() * size_of::<u16>() + numbers * size_of::<u32>(),
-            of_edges: edges.capacity() * size_of::<(EventId, u32)>(),
+            edges: Some(edges.len()),
+            of_states: Some(states.capacity() * size_of::<u16>() + numbers * size_of::<u32>()),
+            of_edges: Some(edges.capacity() * size_of::<(EventId, u32)>()),
         }
     }
 
@@ -126,13 +126,15 @@ impl Size {
     pub fn of_controller(controller: &Controller) -> Size {
         let Controller { states, environment, super_steps, owed, .. } = controller;
         let numbers = |lists: &mut dyn Iterator<Item = usize>| lists.sum::<usize>() * size_of::<u32>();
+        let of_rows = 2 * numbers(&mut environment.iter().map(Vec::capacity));
+        let of_super_steps =
+            numbers(&mut [&super_steps.source, &super_steps.target].into_iter().map(Vec::capacity))
+                + super_steps.events.memory();
         Size {
             states: *states as usize,
-            edges: environment.iter().map(Vec::len).sum::<usize>() + super_steps.len(),
-            of_states: owed.memory(),
-            of_edges: 2 * numbers(&mut environment.iter().map(Vec::capacity))
-                + numbers(&mut [&super_steps.source, &super_steps.target].into_iter().map(Vec::capacity))
-                + super_steps.events.memory(),
+            edges: Some(environment.iter().map(Vec::len).sum::<usize>() + super_steps.len()),
+            of_states: Some(owed.memory()),
+            of_edges: Some(of_rows + of_super_steps),
         }
     }
 }

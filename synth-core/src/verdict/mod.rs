@@ -147,9 +147,9 @@ fn found(partial: &Partial<'_, '_>, forced: Option<Forced>) -> Verdict {
         transitions: partial.edges(),
         size: Size {
             states: partial.found(),
-            edges: partial.edges(),
-            of_states: partial.memory_of_states(),
-            of_edges: partial.memory_of_edges(),
+            edges: Some(partial.edges()),
+            of_states: Some(partial.memory_of_states()),
+            of_edges: Some(partial.memory_of_edges()),
         },
         forced,
     }
