@@ -57,6 +57,23 @@ pub(crate) fn take_turns<T: Default + Send>(
     });
 }
 
+/// Does two things, at the same time if `most` threads could share the work; the result of the first. `threads` as for [`share`].
+pub(crate) fn both<R>(
+    most: usize,
+    threads: usize,
+    one: impl FnOnce() -> R,
+    other: impl FnOnce() + Send,
+) -> R {
+    if threads_for(most, threads) == 1 {
+        other();
+        return one();
+    }
+    thread::scope(|scope| {
+        scope.spawn(other);
+        one()
+    })
+}
+
 /// On how many threads to do work for `most`: so many as are asked for, or as the machine runs at once if `threads` is 0, and one at
 /// least.
 pub(crate) fn threads_for(most: usize, threads: usize) -> usize {
@@ -106,6 +123,14 @@ mod tests {
         check(0..10, 1, 3, &[(0, 4), (4, 8), (8, 10)]);
         check(0..9, 1, 8, &[(0, 2), (2, 4), (4, 6), (6, 8), (8, 9), (9, 9), (9, 9), (9, 9)]);
         check(7..7, 1, 4, &[(7, 7)]);
+    }
+
+    #[test]
+    fn both_are_done() {
+        for (most, threads) in [(1, 8), (8, 1), (8, 8)] {
+            let mut done = false;
+            assert_eq!((both(most, threads, || 7, || done = true), done), (7, true));
+        }
     }
 
     #[test]

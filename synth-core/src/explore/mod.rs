@@ -16,7 +16,9 @@ use crate::diagnostic::counted;
 use crate::game::{ActionsBuilder, Game, KeySets, ShortestPaths, Turn, YIELD};
 use crate::model::{Kind, Spec};
 use crate::playout::{EventId, KeyId, PlayError, Playout, Semantics};
-use crate::successors::{Block, Found, Head, Known, Learned, PackedMoves, Reader, next_batch, reserve};
+use crate::successors::{
+    Block, Found, Head, InOrder, Known, Learned, PackedMoves, Reader, next_batch, reserve,
+};
 use batch::{LOST, WON};
 pub(crate) use game_sets::GameSets;
 use std::fmt;
@@ -254,22 +256,13 @@ impl Explorer<'_, '_> {
     /// Numbers what was found and adds it to the graph, up to a state.
     fn merge(&mut self, blocks: &[Block], end: Option<StateId>, limits: &Limits) -> Result<(), ExploreError> {
         let learned = std::mem::take(&mut self.learned);
-        let mut of_learned = Reader::new(&learned);
-        for block in blocks {
-            let mut of_block = Reader::new(block);
-            while let Some((head, edges)) = of_block.state() {
-                if end == Some(self.graph.turn.len() as StateId) {
-                    return Ok(());
-                }
-                self.check(limits)?;
-                if head.missed {
-                    if let Some((head, edges)) = of_learned.state() {
-                        self.add(head, edges, &mut of_learned);
-                    }
-                } else {
-                    self.add(head, edges, &mut of_block);
-                }
+        let mut states = InOrder::new(blocks, &learned);
+        while let Some((head, edges, reader)) = states.next() {
+            if end == Some(self.graph.turn.len() as StateId) {
+                break;
             }
+            self.check(limits)?;
+            self.add(head, edges, reader);
         }
         self.learned = learned;
         Ok(())

@@ -304,6 +304,37 @@ impl<'b> Reader<'b> {
     }
 }
 
+/// The states of consecutive blocks; those of which nothing was known come from one more block, in which they were noted when they
+/// had been looked at again.
+#[derive(Debug)]
+pub(crate) struct InOrder<'b> {
+    blocks: std::slice::Iter<'b, Block>,
+    reader: Option<Reader<'b>>,
+    again: Reader<'b>,
+}
+
+impl<'b> InOrder<'b> {
+    pub(crate) fn new(blocks: &'b [Block], again: &'b Block) -> Self {
+        let mut blocks = blocks.iter();
+        let reader = blocks.next().map(Reader::new);
+        InOrder { blocks, reader, again: Reader::new(again) }
+    }
+
+    /// The next state, its edges, and who tells what is open there and where they lead.
+    pub(crate) fn next(&mut self) -> Option<(Head, &'b [Found], &mut Reader<'b>)> {
+        loop {
+            if let Some((head, edges)) = self.reader.as_mut()?.state() {
+                if head.missed {
+                    let (head, edges) = self.again.state()?;
+                    return Some((head, edges, &mut self.again));
+                }
+                return Some((head, edges, self.reader.as_mut()?));
+            }
+            self.reader = self.blocks.next().map(Reader::new);
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -28,7 +28,7 @@ mod tables;
 mod trees;
 mod wishes;
 
-pub(crate) use block::{Block, Found, Head, Known, Reader, next_batch};
+pub(crate) use block::{Block, Found, Head, InOrder, Known, Reader, next_batch};
 pub(crate) use layout::Layout;
 pub(crate) use learn::{Learned, learn};
 pub use moves::{Edge, PackedMoves};

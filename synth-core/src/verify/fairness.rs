@@ -212,7 +212,7 @@ impl<'a> Search<'a> {
 
     /// Whether an edge does not discharge the key.
     fn avoids(&self, edge: u32) -> bool {
-        self.open[self.graph.discharged[edge as usize] as usize] & self.goal == 0
+        self.open[self.graph.steps.discharged[edge as usize] as usize] & self.goal == 0
     }
 
     /// The edges from a node of a component that stay in it.
@@ -242,7 +242,7 @@ impl<'a> Search<'a> {
     }
 
     fn discharges(&self, edge: u32, key: &[bool]) -> bool {
-        key[self.graph.discharged[edge as usize] as usize]
+        key[self.graph.steps.discharged[edge as usize] as usize]
     }
 
     /// A walk around a component that is fair to every assumption.

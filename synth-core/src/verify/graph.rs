@@ -16,10 +16,28 @@ pub(super) struct Graph {
     first: Vec<u32>,
     /// Per edge: where it leads.
     pub(super) target: Vec<u32>,
+    pub(super) steps: Steps,
+}
+
+/// What happens on the edges.
+#[derive(Debug, Default)]
+pub(super) struct Steps {
     /// Per edge: its event or [`YIELD`].
     event: Vec<EventId>,
     /// Per edge: the keys that it discharges.
     pub(super) discharged: Vec<SetId>,
+}
+
+impl Steps {
+    /// The next edges: events, and what they discharge.
+    pub(super) fn add(&mut self, steps: impl ExactSizeIterator<Item = (EventId, SetId)>) {
+        reserve(&mut self.event, steps.len());
+        reserve(&mut self.discharged, steps.len());
+        for (event, discharged) in steps {
+            self.event.push(event);
+            self.discharged.push(discharged);
+        }
+    }
 }
 
 /// What can happen in a node beside its edges.
@@ -35,8 +53,8 @@ const NONE: u32 = u32::MAX;
 
 impl Graph {
     pub(super) fn new() -> Self {
-        let (open, rest, target, event, discharged) = Default::default();
-        Graph { open, rest, first: vec![0], target, event, discharged }
+        let (open, rest, target, steps) = Default::default();
+        Graph { open, rest, first: vec![0], target, steps }
     }
 
     /// The number of nodes whose edges are known.
@@ -51,16 +69,10 @@ impl Graph {
         push(&mut self.first, self.target.len() as u32);
     }
 
-    /// Edges of the next node: what happens, what it discharges, and where it leads.
-    pub(super) fn add_edges(&mut self, edges: impl ExactSizeIterator<Item = (EventId, SetId, u32)>) {
-        reserve(&mut self.event, edges.len());
-        reserve(&mut self.discharged, edges.len());
-        reserve(&mut self.target, edges.len());
-        for (event, discharged, target) in edges {
-            self.event.push(event);
-            self.discharged.push(discharged);
-            self.target.push(target);
-        }
+    /// Edges of the next node: where they lead. What happens on them is added to `steps`, in the same order.
+    pub(super) fn add_edges(&mut self, targets: impl ExactSizeIterator<Item = u32>) {
+        reserve(&mut self.target, targets.len());
+        self.target.extend(targets);
     }
 
     /// The edges that leave a node.
@@ -91,7 +103,7 @@ impl Graph {
 
     /// The event of an edge, none for a yield.
     pub(super) fn event(&self, edge: u32) -> Option<EventId> {
-        Some(self.event[edge as usize]).filter(|&event| event != YIELD)
+        Some(self.steps.event[edge as usize]).filter(|&event| event != YIELD)
     }
 
     /// The edges of a shortest play into a node: those by which nodes were discovered.

@@ -8,9 +8,13 @@ use super::rules::{Step, steps};
 use super::{Refutation, VerifyError};
 use crate::controller::Controller;
 use crate::model::{Kind, Spec};
+use crate::parallel;
 use crate::playout::{EventId, KeyId, Playout, Semantics};
-use crate::successors::{Block, Found, Head, Learned, PackedMoves, Reader, SetId, next_batch};
+use crate::successors::{Block, InOrder, Learned, PackedMoves, SetId, next_batch};
 use std::ops::Range;
+
+/// Fewer nodes are not worth another thread.
+const LEAST_SHARE: usize = 1 << 10;
 
 /// Edges have `u32` offsets; one node adds fewer than the rest.
 const MOST_EDGES: usize = (u32::MAX - (1 << 24)) as usize;
@@ -51,8 +55,8 @@ impl<'s> Product<'s> {
 
     /// How many sets of keys the graph can name; they are below it.
     pub(super) fn sets(&self) -> SetId {
-        let Graph { open, discharged, .. } = &self.graph;
-        open.iter().chain(discharged).max().map_or(0, |set| set + 1)
+        let Graph { open, steps, .. } = &self.graph;
+        open.iter().chain(&steps.discharged).max().map_or(0, |set| set + 1)
     }
 
     /// The keys of a set, ascending.
@@ -120,7 +124,7 @@ impl<'s> Explorer<'_, 's> {
             let (filled, end) = self.find(&batch, threads);
             let (blocks, again) =
                 (std::mem::take(&mut self.blocks), std::mem::take(&mut self.looked_at_again));
-            self.merge(&blocks[..filled], &again, end.as_ref().map(|end| end.0))?;
+            self.merge(&blocks[..filled], &again, end.as_ref().map(|end| end.0), threads)?;
             if let Some((_, error)) = end {
                 return Err(error);
             }
@@ -168,35 +172,40 @@ impl<'s> Explorer<'_, 's> {
     }
 
     /// Numbers what was found and adds it to the graph, up to a node.
-    fn merge(&mut self, blocks: &[Block], again: &Block, end: Option<u32>) -> Result<(), VerifyError> {
-        let mut of_again = Reader::new(again);
-        for block in blocks {
-            let mut of_block = Reader::new(block);
-            while let Some((head, edges)) = of_block.state() {
-                let Graph { open, target, .. } = &self.product.graph;
-                if self.product.nodes.len() > self.most_nodes || target.len() > MOST_EDGES {
+    fn merge(
+        &mut self,
+        blocks: &[Block],
+        again: &Block,
+        end: Option<u32>,
+        threads: usize,
+    ) -> Result<(), VerifyError> {
+        let Product { nodes: Nodes { successors, rows, .. }, graph, .. } = &mut self.product;
+        let mut steps = std::mem::take(&mut graph.steps);
+        let size = blocks.iter().map(|block| block.heads().len()).sum::<usize>() / LEAST_SHARE;
+        let number = || {
+            let mut states = InOrder::new(blocks, again);
+            while let Some((head, edges, reader)) = states.next() {
+                if rows.len() > self.most_nodes || graph.target.len() > MOST_EDGES {
                     return Err(VerifyError::TooLarge(self.most_nodes));
                 }
-                if end == Some(open.len() as u32) {
-                    return Ok(());
+                if end == Some(graph.nodes() as u32) {
+                    break;
                 }
-                if head.missed {
-                    if let Some((head, edges)) = of_again.state() {
-                        self.add(head, edges, &mut of_again);
-                    }
-                } else {
-                    self.add(head, edges, &mut of_block);
-                }
+                graph.add_edges(edges.iter().map(|_| reader.target(rows)));
+                let open = reader.open(head, successors.key_sets_builder_mut());
+                graph.add_node(open, Rest { environment: head.turn.is_environment(), silent: head.silent });
             }
-        }
-        Ok(())
-    }
-
-    fn add(&mut self, head: Head, edges: &[Found], reader: &mut Reader<'_>) {
-        let Product { nodes: Nodes { successors, rows, .. }, graph, .. } = &mut self.product;
-        graph.add_edges(edges.iter().map(|edge| (edge.event, edge.discharged, reader.target(rows))));
-        let open = reader.open(head, successors.key_sets_builder_mut());
-        graph.add_node(open, Rest { environment: head.turn.is_environment(), silent: head.silent });
+            Ok(())
+        };
+        let copy = || {
+            let mut states = InOrder::new(blocks, again);
+            while let Some((_, edges, _)) = states.next() {
+                steps.add(edges.iter().map(|edge| (edge.event, edge.discharged)));
+            }
+        };
+        let numbered = parallel::both(size, threads, number, copy);
+        graph.steps = steps;
+        numbered
     }
 }
 

@@ -63,7 +63,7 @@ impl Search<'_> {
         }
         let mut after = 0;
         for edge in self.graph.edges_of(node as u32) {
-            let discharged = self.open[self.graph.discharged[edge as usize] as usize];
+            let discharged = self.open[self.graph.steps.discharged[edge as usize] as usize];
             after |= before & !discharged & self.get(self.graph.target[edge as usize] as usize);
             if after == before {
                 return 0;
@@ -138,8 +138,8 @@ mod tests {
             const INNER: u64 = 8;
             let mut graph = Graph::new();
             for (set, environment, silent, edges) in &nodes {
-                let edges = edges.iter().map(|&(discharged, target)| (0, discharged, target % nodes.len() as u32));
-                graph.add_edges(edges);
+                graph.steps.add(edges.iter().map(|&(discharged, _)| (0, discharged)));
+                graph.add_edges(edges.iter().map(|&(_, target)| target % nodes.len() as u32));
                 graph.add_node(*set, Rest { environment: *environment, silent: *silent });
             }
             let start = |node: usize| {
@@ -152,7 +152,7 @@ mod tests {
                     let rests = graph.rest[node].silent && !assumes[graph.open[node] as usize];
                     let edges = graph.edges_of(node as u32).map(|edge| edge as usize);
                     let on = edges.fold(0, |on, edge| {
-                        on | walks[graph.target[edge] as usize] & !open[graph.discharged[edge] as usize]
+                        on | walks[graph.target[edge] as usize] & !open[graph.steps.discharged[edge] as usize]
                     });
                     start(node) & if rests { u64::MAX } else { on }
                 };
