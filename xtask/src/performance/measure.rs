@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 
 /// What is short is run several times, and the fastest run counts: what others take more has other reasons.
 const REPETITIONS: usize = 5;
-const SHORT: u64 = 500_000;
+const SHORT: u64 = 3_000_000;
 
 /// Between two looks at a run.
 const PAUSE: Duration = Duration::from_millis(5);

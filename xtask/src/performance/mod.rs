@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 #[derive(clap::Args)]
 pub(crate) struct Options {
     /// Only members with at most so many states
-    #[arg(long, value_name = "NUMBER", default_value_t = 2_000_000)]
+    #[arg(long, value_name = "NUMBER", default_value_t = 10_000_000)]
     states: u64,
     /// Instructions only of members with at most so many states
     #[arg(long, value_name = "NUMBER", default_value_t = 7_000)]
