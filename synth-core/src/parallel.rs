@@ -3,6 +3,7 @@
 use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::thread;
 
 /// Cuts a range into consecutive parts of about one size and calls `work` with each, on a thread of its own. Each part has
@@ -74,6 +75,30 @@ pub(crate) fn both<R>(
     })
 }
 
+/// Calls `work` with each of so many items, in any order; `threads` as for [`share`].
+pub(crate) fn each<I: ExactSizeIterator + Send>(items: I, threads: usize, work: impl Fn(I::Item) + Sync) {
+    let count = items.len();
+    let items = Mutex::new(items);
+    take_turns(&mut Vec::new(), count, threads, |(), _| {
+        let item = items.lock().unwrap_or_else(PoisonError::into_inner).next();
+        item.into_iter().for_each(&work);
+    });
+}
+
+/// Fills an array with what `value` says for each index; `least` and `threads` as for [`share`].
+pub(crate) fn fill<T: Send>(
+    array: &mut [T],
+    least: usize,
+    threads: usize,
+    value: impl Fn(usize) -> T + Sync,
+) {
+    let parts = threads_for(array.len() / least.max(1), threads);
+    let size = array.len().div_ceil(parts).max(1);
+    each(array.chunks_mut(size).enumerate(), parts, |(part, places)| {
+        (part * size..).zip(places).for_each(|(index, place)| *place = value(index));
+    });
+}
+
 /// On how many threads to do work for `most`: so many as are asked for, or as the machine runs at once if `threads` is 0, and one at
 /// least.
 pub(crate) fn threads_for(most: usize, threads: usize) -> usize {
@@ -143,6 +168,16 @@ mod tests {
             all.sort_unstable();
             assert_eq!(all, [0, 1, 2, 3, 4]);
         }
+    }
+
+    #[test]
+    fn each_place_is_filled() {
+        for threads in 1..9 {
+            let mut squares = [0; 7];
+            fill(&mut squares, 2, threads, |index| index * index);
+            assert_eq!(squares, [0, 1, 4, 9, 16, 25, 36]);
+        }
+        fill(&mut [], 1, 2, |index| index);
     }
 
     #[test]

@@ -1,20 +1,23 @@
 //! The coarsest bisimulation: which states nothing can tell apart.
 //!
-//! States are in one block as long as nothing tells them apart. At first that is their kind, the labels that they have rows
-//! of; then a state's *signature*, the blocks to which its rows lead. Where a block falls apart, its largest part
+//! At first all states are looked at over and over, in passes over the rows: a state's hash is made of its own and those of the
+//! states to which its rows lead. That is done as long as it tells more and more states apart, which is soon over where few are to be merged.
+//!
+//! States with the same hash are in one *block* then, until something tells them apart: their kind, the labels that they have rows
+//! of, or the blocks to which their rows lead, which together are a state's *signature*. Where a block falls apart, its largest part
 //! keeps the number, so that only the predecessors of the others have new signatures: a state comes into a part with
 //! another number at most `log n` times. (Jacobs and Wissmann, "Fast coalgebraic bisimilarity minimization", POPL 2023,
 //! for automata whose states have rows.)
-//!
-//! Beside numbers per state it holds one a row in either direction; and where nothing or little is left to be merged after
-//! some steps, it comes to an end in few passes over the rows.
 
 use super::Controller;
 use super::kinds::Kinds;
-use super::partition::bucket;
+use crate::intern::hash;
+use crate::parallel::fill;
 use rustc_hash::FxHasher;
 use std::collections::VecDeque;
 use std::hash::Hasher;
+use std::iter::once;
+use std::mem::swap;
 
 /// The rows of a controller by state.
 pub(super) struct Rows {
@@ -58,44 +61,123 @@ impl Rows {
     }
 }
 
-/// Per state its class; all numbers are below that of kinds and states together.
-pub(super) fn bisimulation(rows: &Rows) -> Vec<u32> {
-    refine(rows, u64::MAX)
+/// Per state the first one of its class. The result does not depend on the number of threads, which is as for [`fill`].
+pub(super) fn bisimulation(rows: &Rows, threads: usize) -> Vec<u32> {
+    refine(rows, u64::MAX, threads)
 }
 
 /// Signatures are told apart by those bits of their hashes first, and in full where these are equal.
-fn refine(rows: &Rows, bits: u64) -> Vec<u32> {
-    let (incoming, sources) = incoming(rows);
-    let mut blocks = Blocks::new(&rows.kinds);
+fn refine(rows: &Rows, bits: u64, threads: usize) -> Vec<u32> {
+    let mut blocks = Blocks::new(rows.states() as u32, alike(rows, bits, threads));
     let mut parts = Parts::default();
+    let mut into = None;
     while let Some(block) = blocks.suspects.pop_front() {
         blocks.split(block, rows, bits, &mut parts);
-        for &state in &parts.renumbered {
-            let of_state = incoming[state as usize] as usize..incoming[state as usize + 1] as usize;
-            sources[of_state].iter().for_each(|&source| blocks.suspect(source));
+        if !parts.renumbered.is_empty() {
+            let Incoming { first, sources } = into.get_or_insert_with(|| Incoming::new(rows, &blocks));
+            for &state in &parts.renumbered {
+                let of_state = first[state as usize] as usize..first[state as usize + 1] as usize;
+                sources[of_state].iter().for_each(|&source| blocks.suspect(source));
+            }
         }
     }
-    blocks.states.into_iter().map(|state| state.block).collect()
+    blocks.classes()
 }
 
-/// The sources of the rows that lead into each state, and where those of a state begin.
-fn incoming(rows: &Rows) -> (Vec<u32>, Vec<u32>) {
-    let states = rows.states() as u32;
-    let mut first = vec![0; states as usize + 1];
-    rows.target.iter().for_each(|&target| first[target as usize + 1] += 1);
-    for state in 1..first.len() {
-        first[state] += first[state - 1];
+/// Hashes of states that may be equal to those of others, and whose they are: hashes of all that is seen of a state in as many steps
+/// as it takes until one more tells hardly any more of them apart.
+fn alike(rows: &Rows, bits: u64, threads: usize) -> Vec<(u64, u32)> {
+    const LEAST: usize = 1 << 14;
+    let states = rows.states();
+    let mut hashes: Vec<u64> = rows.kinds.of.iter().map(|kind| hash(kind) & bits).collect();
+    let mut further = vec![0; states];
+    let mut seen = Seen::new(states);
+    let mut distinct = 0;
+    loop {
+        let found = seen.set(&hashes);
+        if found <= distinct + states / 64 {
+            break;
+        }
+        distinct = found;
+        fill(&mut further, LEAST, threads, |state| {
+            let own = hashes[state];
+            if seen.once(own) {
+                return own;
+            }
+            let mut hasher = FxHasher::default();
+            hasher.write_u64(own);
+            rows.of(state as u32).iter().for_each(|&target| hasher.write_u64(hashes[target as usize]));
+            hasher.finish() & bits
+        });
+        swap(&mut hashes, &mut further);
     }
-    let mut next = first.clone();
-    let mut sources = vec![0; rows.target.len()];
-    for source in 0..states {
-        for &target in rows.of(source) {
+    drop(further);
+    (0..).zip(hashes).filter(|(_, hash)| !seen.once(*hash)).map(|(state, hash)| (hash, state)).collect()
+}
+
+/// Which of many hashes are there once, or not at all, for all that a few bits of each tell.
+struct Seen {
+    /// By the last bits of hashes: two bits for none, one, and more.
+    counts: Vec<u64>,
+}
+
+impl Seen {
+    /// For so many hashes, one in eight of which may have its bits in common with another one.
+    fn new(hashes: usize) -> Seen {
+        Seen { counts: vec![0; hashes.next_power_of_two().div_ceil(4)] }
+    }
+
+    /// The word of a hash, and the lower of its bits there.
+    fn place(&self, hash: u64) -> (usize, u64) {
+        ((hash >> 5) as usize & (self.counts.len() - 1), 1 << (2 * (hash & 31)))
+    }
+
+    /// Counts these hashes, and says how many differ, which is a little less than there are.
+    fn set(&mut self, hashes: &[u64]) -> usize {
+        self.counts.fill(0);
+        let mut distinct = 0;
+        for &hash in hashes {
+            let (word, one) = self.place(hash);
+            let counts = &mut self.counts[word];
+            distinct += usize::from(*counts & (one | one << 1) == 0);
+            *counts |= if *counts & one == 0 { one } else { one << 1 };
+        }
+        distinct
+    }
+
+    /// Whether no other hash of those counted is the same.
+    fn once(&self, hash: u64) -> bool {
+        let (word, one) = self.place(hash);
+        self.counts[word] & (one << 1) == 0
+    }
+}
+
+/// The rows that lead into each state from states that are not alone.
+struct Incoming {
+    /// Per state where its sources begin; one more entry ends the last.
+    first: Vec<u32>,
+    sources: Vec<u32>,
+}
+
+impl Incoming {
+    fn new(rows: &Rows, blocks: &Blocks) -> Incoming {
+        let states = rows.states();
+        let targets =
+            || blocks.order.iter().flat_map(|&source| rows.of(source).iter().map(move |&to| (source, to)));
+        let mut first = vec![0; states + 1];
+        targets().for_each(|(_, target)| first[target as usize + 1] += 1);
+        for state in 0..states {
+            first[state + 1] += first[state];
+        }
+        let mut next = first.clone();
+        let mut sources = vec![0; first[states] as usize];
+        for (source, target) in targets() {
             let place = &mut next[target as usize];
             sources[*place as usize] = source;
             *place += 1;
         }
+        Incoming { first, sources }
     }
-    (first, sources)
 }
 
 /// A partition of the states into blocks. Those of a block are contiguous in the order, suspects in front: the states whose
@@ -142,24 +224,43 @@ struct Parts {
 }
 
 impl Blocks {
-    /// A block for each kind. All states are suspects, but for those that are alone.
-    fn new(kinds: &Kinds) -> Blocks {
-        let (bounds, order) = bucket(&kinds.of, kinds.len() as u32);
-        let mut states: Vec<State> = kinds.of.iter().map(|&block| State { place: 0, block }).collect();
-        for (place, &state) in (0..).zip(&order) {
-            states[state as usize].place = place;
+    /// A block for each hash that several states have, which are all suspects. Blocks of others are only numbers, behind them.
+    fn new(states: u32, mut alike: Vec<(u64, u32)>) -> Blocks {
+        alike.sort_unstable();
+        let mut all = Blocks {
+            order: Vec::with_capacity(alike.len()),
+            states: (states..2 * states).map(|block| State { place: 0, block }).collect(),
+            blocks: Vec::new(),
+            suspects: VecDeque::new(),
+        };
+        for states in alike.chunk_by(|a, b| a.0 == b.0).filter(|states| states.len() > 1) {
+            let (begin, block) = (all.order.len() as u32, all.blocks.len() as u32);
+            for &(_, state) in states {
+                all.states[state as usize] = State { place: all.order.len() as u32, block };
+                all.order.push(state);
+            }
+            let end = all.order.len() as u32;
+            all.blocks.push(Block { begin, trusted: end, end });
+            all.suspects.push_back(block);
         }
-        let blocks: Vec<Block> =
-            bounds.windows(2).map(|pair| Block { begin: pair[0], trusted: pair[1], end: pair[1] }).collect();
-        let suspects =
-            (0..).zip(&blocks).filter(|(_, block)| block.len() > 1).map(|(number, _)| number).collect();
-        Blocks { order, states, blocks, suspects }
+        all
+    }
+
+    /// Per state the first one of its block.
+    fn classes(mut self) -> Vec<u32> {
+        let mut classes: Vec<u32> = (0..self.states.len() as u32).collect();
+        for block in &self.blocks {
+            let states = &mut self.order[block.begin as usize..block.end as usize];
+            let first = states.iter().copied().min();
+            states.iter().for_each(|&state| classes[state as usize] = first.unwrap_or(state));
+        }
+        classes
     }
 
     /// The signature of a state may have changed.
     fn suspect(&mut self, state: u32) {
         let State { place: from, block: number } = self.states[state as usize];
-        let block = &mut self.blocks[number as usize];
+        let Some(block) = self.blocks.get_mut(number as usize) else { return };
         let to = block.trusted;
         // Known already, or alone: then there is nobody to be told apart from.
         if from < to || block.len() == 1 {
@@ -176,13 +277,15 @@ impl Blocks {
         self.states[state as usize].place = to;
     }
 
+    /// The kind of a state and the blocks to which its rows lead.
     fn signature(&self, rows: &Rows, state: u32) -> impl Iterator<Item = u32> {
-        rows.of(state).iter().map(|&target| self.states[target as usize].block)
+        let blocks = rows.of(state).iter().map(|&target| self.states[target as usize].block);
+        once(rows.kinds.of[state as usize]).chain(blocks)
     }
 
     fn hash(&self, rows: &Rows, state: u32) -> u64 {
         let mut hasher = FxHasher::default();
-        self.signature(rows, state).for_each(|block| hasher.write_u32(block));
+        self.signature(rows, state).for_each(|number| hasher.write_u32(number));
         hasher.finish()
     }
 
@@ -194,14 +297,15 @@ impl Blocks {
         self.blocks[number as usize].trusted = begin;
         // One of those without suspicion stands for all of them.
         let witness = (trusted < end).then(|| self.order[trusted as usize]);
-        let looked_at = begin as usize..(trusted + u32::from(witness.is_some())) as usize;
-        let rest = end - looked_at.end as u32;
-        signed.clear();
-        signed.extend(self.order[looked_at].iter().map(|&state| (self.hash(rows, state) & bits, state)));
-        let staying = self.group(rows, signed, witness, sizes);
-        if sizes.len() == 1 {
+        let looked_at = &self.order[begin as usize..(trusted + u32::from(witness.is_some())) as usize];
+        let same = |other: &u32| self.signature(rows, *other).eq(self.signature(rows, looked_at[0]));
+        if looked_at[1..].iter().all(same) {
             return;
         }
+        let rest = end - begin - looked_at.len() as u32;
+        signed.clear();
+        signed.extend(looked_at.iter().map(|&state| (self.hash(rows, state) & bits, state)));
+        let staying = self.group(rows, signed, witness, sizes);
         if let Some(staying) = staying {
             let before = sizes[..staying].iter().sum::<u32>() as usize;
             signed[before..].rotate_left(sizes[staying] as usize);
@@ -293,11 +397,8 @@ mod tests {
         #[test]
         fn it_is_the_coarsest(controller in controllers(24), bits in prop::sample::select(vec![0, 1, 6, u64::MAX])) {
             let rows = Rows::new(&controller);
-            let found = refine(&rows, bits);
-            let mut first = BTreeMap::new();
-            let first: Vec<usize> =
-                (0..).zip(&found).map(|(state, class)| *first.entry(class).or_insert(state)).collect();
-            prop_assert_eq!(first, naive(&rows));
+            let found = refine(&rows, bits, 1).into_iter().map(|state| state as usize);
+            prop_assert_eq!(found.collect::<Vec<_>>(), naive(&rows));
         }
     }
 }

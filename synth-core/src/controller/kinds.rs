@@ -76,15 +76,6 @@ impl Kinds {
     pub(super) fn len(&self) -> usize {
         self.parent.len()
     }
-
-    /// The labels of a kind, the largest first.
-    pub(super) fn descending(&self, mut kind: u32) -> impl Iterator<Item = u32> {
-        std::iter::from_fn(move || {
-            let label = self.label[kind as usize];
-            kind = self.parent[kind as usize];
-            (label != NONE).then_some(label)
-        })
-    }
 }
 
 #[cfg(test)]
@@ -95,8 +86,12 @@ mod tests {
     use std::collections::BTreeMap;
 
     fn labels(kinds: &Kinds, state: usize) -> Vec<u32> {
-        let mut labels: Vec<u32> = kinds.descending(kinds.of[state]).collect();
-        labels.reverse();
+        let mut kind = kinds.of[state];
+        let mut labels = Vec::new();
+        while kind != 0 {
+            labels.insert(0, kinds.label[kind as usize]);
+            kind = kinds.parent[kind as usize];
+        }
         labels
     }
 

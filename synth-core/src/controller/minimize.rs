@@ -1,8 +1,9 @@
 //! Fewer states with the same behaviour.
 
+use super::Controller;
 use super::bisimulation::{Rows, bisimulation};
 use super::reduce::{Mealy, least, reduce};
-use super::{Controller, SuperSteps};
+use crate::parallel::{each, threads_for};
 use std::str::FromStr;
 
 /// How far [`minimize`] goes.
@@ -60,14 +61,17 @@ impl FromStr for Level {
 /// environment events and the distinct lists of super steps. See `bisimulation`.
 #[must_use]
 pub fn minimize(controller: Controller, level: Level) -> Controller {
+    minimize_on(controller, level, 1)
+}
+
+/// As [`minimize`], on so many threads, or as many as the machine runs at once if that is 0; the result does not depend on it.
+#[must_use]
+pub fn minimize_on(controller: Controller, level: Level, threads: usize) -> Controller {
     match level {
         Level::None => controller,
-        Level::Exact | Level::Assume => {
-            let rows = Rows::new(&controller);
-            quotient(controller.without_rows(), &rows)
-        }
+        Level::Exact | Level::Assume => quotient(controller, threads),
         Level::Ordered => {
-            let exact = minimize(controller, Level::Exact);
+            let exact = quotient(controller, threads);
             let nothing = vec![Vec::new(); exact.states as usize];
             minimize_assuming(&exact, &nothing)
         }
@@ -99,65 +103,69 @@ pub fn never_fewer(controller: &Controller) -> Option<usize> {
     Mealy::new(controller, &nothing).map(|mealy| least(&mealy))
 }
 
-const UNSEEN: u32 = u32::MAX;
+const NONE: u32 = u32::MAX;
 
-/// One state per class that can be reached, of a controller with these rows.
+/// One state per class that can be reached.
 ///
 /// The search goes through the states, not the classes: the first state met of a class gives its rows, the others
 /// only what they owe. Classes are met in the order in which a search through classes would meet them, because
 /// the rows of a later state of a class lead to classes that are known already.
-fn quotient(controller: Controller, rows: &Rows) -> Controller {
-    let class = bisimulation(rows);
-    let events = controller.events.len() as u32;
-    let mut environment = vec![Vec::new(); controller.events.len()];
-    let mut super_steps =
-        SuperSteps { events: controller.super_steps.events.cleared(), ..SuperSteps::default() };
+fn quotient(mut controller: Controller, threads: usize) -> Controller {
+    let rows = Rows::new(&controller);
+    let class = bisimulation(&rows, threads);
+    let order = breadth_first(&rows, controller.initial);
+    drop(rows);
+    // By any state of a class, the number of the class; and the state that each has its rows of.
+    let mut number = vec![NONE; class.len()];
+    let mut given_by = Vec::new();
     let mut owed = controller.owed.cleared();
     let mut union = Vec::new();
-    let mut number = vec![UNSEEN; class.iter().max().map_or(0, |&most| most as usize + 1)];
-    let mut seen = vec![false; class.len()];
-    let mut queue = vec![controller.initial];
-    seen[controller.initial as usize] = true;
-    number[class[controller.initial as usize] as usize] = 0;
-    let mut numbered = 1;
+    for state in order {
+        let promised = controller.owed.number(state as usize);
+        let known = number[class[state as usize] as usize];
+        if known == NONE {
+            number[class[state as usize] as usize] = given_by.len() as u32;
+            given_by.push(state);
+            owed.push_number(promised);
+        } else if owed.number(known as usize) != promised {
+            union.clear();
+            union.extend_from_slice(&owed[known as usize]);
+            union.extend_from_slice(controller.owed.list(promised));
+            union.sort_unstable();
+            union.dedup();
+            owed.set(known as usize, &union);
+        }
+    }
+    let new = |source: u32, target: u32| {
+        let number = |state: u32| number[class[state as usize] as usize];
+        let source = (given_by.get(number(source) as usize) == Some(&source)).then(|| number(source));
+        source.map(|source| (source, number(target)))
+    };
+    let threads = threads_for(class.len() >> 14, threads);
+    each(controller.environment.iter_mut(), threads, |rows| {
+        rows.retain_mut(|row| new(row.0, row.1).map(|renamed| *row = renamed).is_some());
+        // They ascend already if states were numbered breadth first before.
+        rows.sort_unstable();
+    });
+    controller.super_steps.rename(new);
+    Controller { states: given_by.len() as u32, initial: 0, owed, ..controller }
+}
+
+/// The states that can be reached, in the order in which they are met.
+fn breadth_first(rows: &Rows, initial: u32) -> Vec<u32> {
+    let mut met = vec![false; rows.states()];
+    met[initial as usize] = true;
+    let mut order = vec![initial];
     let mut head = 0;
-    while let Some(&state) = queue.get(head) {
+    while let Some(&state) = order.get(head) {
         head += 1;
         for &next in rows.of(state) {
-            if !std::mem::replace(&mut seen[next as usize], true) {
-                queue.push(next);
-            }
-            let target = &mut number[class[next as usize] as usize];
-            if *target == UNSEEN {
-                *target = numbered;
-                numbered += 1;
-            }
-        }
-        let source = number[class[state as usize] as usize];
-        let promised = controller.owed.number(state as usize);
-        // Classes are numbered when queued and so come out in order: a number without an entry is a new class.
-        if (source as usize) < owed.len() {
-            if owed.number(source as usize) != promised {
-                union.clear();
-                union.extend_from_slice(&owed[source as usize]);
-                union.extend_from_slice(controller.owed.list(promised));
-                union.sort_unstable();
-                union.dedup();
-                owed.set(source as usize, &union);
-            }
-            continue;
-        }
-        owed.push_number(promised);
-        let labels = rows.kinds.descending(rows.kinds.of[state as usize]);
-        for (label, &next) in labels.zip(rows.of(state).iter().rev()) {
-            let target = number[class[next as usize] as usize];
-            match label.checked_sub(events) {
-                None => environment[label as usize].push((source, target)),
-                Some(list) => super_steps.push_number(source, target, list),
+            if !std::mem::replace(&mut met[next as usize], true) {
+                order.push(next);
             }
         }
     }
-    Controller { states: numbered, initial: 0, environment, super_steps, owed, ..controller }
+    order
 }
 
 #[cfg(test)]

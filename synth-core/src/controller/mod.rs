@@ -25,9 +25,9 @@ pub mod tables;
 
 pub use alphabet::{Alphabet, Letter};
 pub use lists::Lists;
-pub use minimize::{Level, minimize, minimize_assuming, never_fewer};
+pub use minimize::{Level, minimize, minimize_assuming, minimize_on, never_fewer};
 pub use monitor::monitor;
-pub use number::number;
+pub use number::{number, number_on};
 pub use step_table::{SuperStep, SuperSteps};
 pub use super_steps::{EndlessSuperStep, interface, merge};
 
@@ -79,11 +79,4 @@ pub struct Controller {
     pub super_steps: SuperSteps,
     /// Per state: the environment events (indices, ascending) that assumptions promise there.
     pub owed: Lists,
-}
-
-impl Controller {
-    /// Without the environment's rows, whose memory is free then.
-    fn without_rows(self) -> Controller {
-        Controller { environment: vec![Vec::new(); self.events.len()], ..self }
-    }
 }

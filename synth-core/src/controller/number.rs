@@ -6,6 +6,7 @@
 use super::Controller;
 use super::kinds::Kinds;
 use super::partition::bucket;
+use crate::parallel::{each, threads_for};
 
 /// The same controller with other numbers; the initial state is 0.
 ///
@@ -15,12 +16,18 @@ use super::partition::bucket;
 /// are in the order of their commands. Among equals the former order stays.
 #[must_use]
 pub fn number(controller: Controller) -> Controller {
+    number_on(controller, 1)
+}
+
+/// As [`number`], on so many threads, or as many as the machine runs at once if that is 0; the result does not depend on it.
+#[must_use]
+pub fn number_on(controller: Controller, threads: usize) -> Controller {
     let order = order(&controller);
     let mut number = vec![0; order.len()];
     for (new, &old) in (0..).zip(&order) {
         number[old as usize] = new;
     }
-    renamed(controller, &order, &number)
+    renamed(controller, &order, &number, threads)
 }
 
 /// The states in their new order.
@@ -107,21 +114,18 @@ fn by_commands(controller: &Controller) -> (Vec<u32>, u32) {
 }
 
 /// Gives every state its new number; `order` is the inverse of `number`.
-fn renamed(mut controller: Controller, order: &[u32], number: &[u32]) -> Controller {
+fn renamed(mut controller: Controller, order: &[u32], number: &[u32], threads: usize) -> Controller {
     let new = |state: u32| number[state as usize];
     controller.initial = new(controller.initial);
-    let mut sources = Ranks::new(order.len());
-    for rows in &mut controller.environment {
-        sources.set(rows.iter().map(|row| new(row.0)));
+    each(controller.environment.iter_mut(), threads_for(order.len() >> 14, threads), |rows| {
+        let sources = Ranks::new(order.len(), rows.iter().map(|row| new(row.0)));
         let mut sorted = vec![(0, 0); rows.len()];
         for &(source, target) in &*rows {
             sorted[sources.rank(new(source))] = (new(source), new(target));
         }
         *rows = sorted;
-    }
-    let steps = &mut controller.super_steps;
-    steps.source.iter_mut().chain(&mut steps.target).for_each(|state| *state = new(*state));
-    steps.sort();
+    });
+    controller.super_steps.rename(|source, target| Some((new(source), new(target))));
     controller.owed = controller.owed.reordered(order);
     controller
 }
@@ -135,20 +139,17 @@ struct Ranks {
 }
 
 impl Ranks {
-    /// For sets of numbers below `limit`.
-    fn new(limit: usize) -> Ranks {
-        let words = limit.div_ceil(u64::BITS as usize);
-        Ranks { words: vec![0; words], before: vec![0; words] }
-    }
-
-    fn set(&mut self, members: impl Iterator<Item = u32>) {
-        self.words.fill(0);
-        members.for_each(|member| self.words[(member / u64::BITS) as usize] |= 1 << (member % u64::BITS));
+    /// The set of these numbers below `limit`.
+    fn new(limit: usize, members: impl Iterator<Item = u32>) -> Ranks {
+        let mut words = vec![0_u64; limit.div_ceil(u64::BITS as usize)];
+        members.for_each(|member| words[(member / u64::BITS) as usize] |= 1 << (member % u64::BITS));
         let mut count = 0;
-        for (before, word) in self.before.iter_mut().zip(&self.words) {
-            *before = count;
+        let before = words.iter().map(|word| {
+            let before = count;
             count += word.count_ones();
-        }
+            before
+        });
+        Ranks { before: before.collect(), words }
     }
 
     fn rank(&self, member: u32) -> usize {

@@ -73,8 +73,23 @@ impl SuperSteps {
         self.events.push_number(events);
     }
 
+    /// Replaces source and target of every row, and sorts. Rows for which there are no new ones go.
+    pub(crate) fn rename(&mut self, new: impl Fn(u32, u32) -> Option<(u32, u32)>) {
+        let mut renamed = SuperSteps { events: self.events.cleared(), ..SuperSteps::default() };
+        for (row, (&source, &target)) in self.source.iter().zip(&self.target).enumerate() {
+            if let Some((source, target)) = new(source, target) {
+                renamed.push_number(source, target, self.events.number(row));
+            }
+        }
+        *self = renamed;
+        self.sort();
+    }
+
     /// Puts them in ascending order of their sources; those of the same source stay in order.
     pub fn sort(&mut self) {
+        if self.source.is_sorted() {
+            return;
+        }
         let mut order: Vec<u32> = (0..self.len() as u32).collect();
         order.sort_by_key(|&row| self.source[row as usize]);
         self.source = order.iter().map(|&row| self.source[row as usize]).collect();

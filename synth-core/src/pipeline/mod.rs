@@ -14,7 +14,8 @@ pub use timings::{Size, Stage, Timings};
 
 use crate::controller::tables::Tables;
 use crate::controller::{
-    Controller, EndlessSuperStep, Level, Lists, merge, minimize, minimize_assuming, monitor, number,
+    Controller, EndlessSuperStep, Level, Lists, merge, minimize, minimize_assuming, minimize_on, monitor,
+    number, number_on,
 };
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::explain::explain;
@@ -238,7 +239,8 @@ pub fn synthesize(
     let unminimized_states = raw.states;
     // Only scans with several events are compared later.
     let kept = (options.level == Level::Assume).then(|| raw.clone());
-    let mut controller = timings.stage("minimise", || minimize(raw, options.level));
+    let mut controller =
+        timings.stage("minimise", || minimize_on(raw, options.level, options.limits.threads));
     timings.size(Size::of_controller(&controller));
     if options.level == Level::Assume {
         let refused = timings.stage("batches", || {
@@ -247,7 +249,7 @@ pub fn synthesize(
         controller = timings.stage("minimise", || minimize_assuming(&controller, &refused));
         timings.size(Size::of_controller(&controller));
     }
-    let controller = timings.stage("number", || number(controller));
+    let controller = timings.stage("number", || number_on(controller, options.limits.threads));
     // What is emitted is verified, so nothing that it was made of need be. The limit on states was kept by exploration; the
     // product has a node of its own for each way into a super step.
     let limits = &options.limits;
