@@ -60,6 +60,13 @@ impl Lists {
         self.of.push(number);
     }
 
+    /// Adds the places of these lists.
+    pub(crate) fn append(&mut self, other: &Lists) {
+        let numbers: Vec<u32> =
+            (0..other.distinct() as u32).map(|number| self.distinct.intern(other.list(number))).collect();
+        self.of.extend(other.of.iter().map(|&number| numbers[number as usize]));
+    }
+
     /// Replaces the list of a place.
     ///
     /// # Panics
@@ -190,6 +197,9 @@ mod tests {
         other = other.reordered(&[1, 0, 2]);
         assert_ne!(lists.numbers(), other.numbers());
         assert_eq!(lists, other);
+        other.append(&lists);
+        assert_eq!(other, [[1], [2], [1], [1], [2], [1]].iter().collect());
+        assert_eq!(other.distinct(), 2);
         assert_eq!(Lists::empty(2), [[], []].iter().collect());
         assert!(Lists::empty(0).is_empty());
     }

@@ -2,6 +2,7 @@
 
 use super::{Alphabet, Component, Controller, Event, Lists, SuperStep, SuperSteps};
 use crate::game::{Game, Strategy, YIELD};
+use crate::parallel::share;
 use std::{collections::BTreeMap, error::Error, fmt};
 
 /// A super step of the strategy never ends, so no controller can do it.
@@ -29,9 +30,10 @@ impl Error for EndlessSuperStep {}
 /// of yields alone vanishes. States are numbered breadth first from the initial one, which is 0, successors in table
 /// order.
 ///
-/// Events, components and codes come from the whole of `game`, so they do not depend on the strategy. `owed` puts into an empty
-/// list which events (ids of `alphabet`) assumptions promise in a state of the game, and is asked once about each; what is
-/// no environment event of the game is passed over.
+/// Events, components and codes come from the whole of `game`, so they do not depend on the strategy. `owed` says for each state of the
+/// game which events (ids of `alphabet`) assumptions promise there; what is no environment event of the game is passed over.
+///
+/// It is done on so many threads, or as many as the machine runs at once if that is 0; the result does not depend on it.
 ///
 /// # Errors
 ///
@@ -40,8 +42,12 @@ pub fn merge(
     game: &Game,
     strategy: &Strategy,
     alphabet: &Alphabet,
-    owed: &mut dyn FnMut(u32, &mut Vec<u32>),
+    owed: &Lists,
+    threads: usize,
 ) -> Result<Controller, EndlessSuperStep> {
+    if let Some(node) = strategy.endless_run(game) {
+        return Err(EndlessSuperStep { node });
+    }
     let vocabulary = Vocabulary::new(game, alphabet);
     let mut walk = Walk::new(game, strategy);
     let mut runs = Runs {
@@ -49,15 +55,7 @@ pub fn merge(
         events: Vec::new(),
         vocabulary: &vocabulary,
     };
-    let mut environment = vec![Vec::new(); vocabulary.events.len()];
     let mut super_steps = SuperSteps::default();
-    let mut owed_per_state = Lists::default();
-    let mut promised = Vec::new();
-    // Per state of the game the number of the list that it owes, or `NONE`.
-    let mut promises = vec![NONE; game.states()];
-    if let Some(node) = strategy.endless_run(game) {
-        return Err(EndlessSuperStep { node });
-    }
     walk.visit(0);
     let mut source = 0;
     while let Some(&node) = walk.nodes.get(source as usize) {
@@ -65,32 +63,18 @@ pub fn merge(
             let end = runs.follow(&walk, source, node);
             super_steps.push(SuperStep { source, target: walk.visit(end), events: &runs.events });
         } else {
-            for edge in strategy.edges_of(node) {
-                let event = vocabulary.index[game.label(strategy.edge[edge] as usize) as usize];
-                let target = walk.visit(strategy.target[edge]);
-                environment[event as usize].push((source, target));
+            for &target in &strategy.target[strategy.edges_of(node)] {
+                walk.visit(target);
             }
-        }
-        // Nodes of the same state of the game are different memories.
-        let state = strategy.state[node as usize];
-        let known = &mut promises[state as usize];
-        if *known == NONE {
-            promised.clear();
-            owed(state, &mut promised);
-            vocabulary.promised(alphabet, &mut promised);
-            owed_per_state.push(&promised);
-            *known = owed_per_state.number(source as usize);
-        } else {
-            owed_per_state.push_number(*known);
         }
         source += 1;
     }
     Ok(Controller {
         states: source,
         initial: 0,
-        environment,
+        environment: walk.environment(&vocabulary, threads),
         super_steps,
-        owed: owed_per_state,
+        owed: walk.owed(&vocabulary.promised(alphabet, owed), owed),
         events: vocabulary.events,
         commands: vocabulary.commands,
         components: vocabulary.components,
@@ -161,15 +145,18 @@ impl Vocabulary {
         Vocabulary { events, commands, components, index, component }
     }
 
-    /// Turns ids into the ascending indices of the environment's events among them.
-    fn promised(&self, alphabet: &Alphabet, ids: &mut Vec<u32>) {
-        ids.retain_mut(|id| {
-            let controllable = alphabet.letters[*id as usize].controllable;
-            *id = self.index[*id as usize];
-            !controllable && *id != NONE
+    /// Per distinct list of ids the ascending indices of the environment's events among them.
+    fn promised(&self, alphabet: &Alphabet, owed: &Lists) -> Lists {
+        let is_event =
+            |id: &u32| !alphabet.letters[*id as usize].controllable && self.index[*id as usize] != NONE;
+        let lists = (0..owed.distinct() as u32).map(|list| {
+            let events = owed.list(list).iter().filter(|id| is_event(id));
+            let mut events: Vec<u32> = events.map(|&id| self.index[id as usize]).collect();
+            events.sort_unstable();
+            events.dedup();
+            events
         });
-        ids.sort_unstable();
-        ids.dedup();
+        lists.collect()
     }
 }
 
@@ -215,6 +202,38 @@ impl<'a> Walk<'a> {
         }
         self.state[entered as usize] = state;
         state
+    }
+
+    /// Per event the rows of all states that were visited, once those are to which they lead.
+    fn environment(&self, vocabulary: &Vocabulary, threads: usize) -> Vec<Vec<(u32, u32)>> {
+        const LEAST: usize = 1 << 14;
+        let mut parts = Vec::new();
+        share(&mut parts, 0..self.nodes.len() as u32, LEAST, threads, |rows: &mut Vec<Vec<_>>, states| {
+            rows.resize_with(vocabulary.events.len(), Vec::new);
+            for (source, &node) in states.clone().zip(&self.nodes[states.start as usize..]) {
+                if self.choice(node).is_none() {
+                    for edge in self.strategy.edges_of(node) {
+                        let label = self.game.label(self.strategy.edge[edge] as usize);
+                        let target = self.state[self.strategy.target[edge] as usize];
+                        rows[vocabulary.index[label as usize] as usize].push((source, target));
+                    }
+                }
+            }
+        });
+        let mut parts = parts.into_iter();
+        let mut all = parts.next().unwrap_or_default();
+        parts.for_each(|part| all.iter_mut().zip(part).for_each(|(rows, more)| rows.extend(more)));
+        all
+    }
+
+    /// Per state what is promised there, by the lists of states of the game.
+    fn owed(&self, promised: &Lists, owed: &Lists) -> Lists {
+        let mut of_states = promised.cleared();
+        for &node in &self.nodes {
+            let list = owed.number(self.strategy.state[node as usize] as usize);
+            of_states.push_number(promised.number(list as usize));
+        }
+        of_states
     }
 }
 
@@ -343,7 +362,7 @@ mod tests {
     fn merged(nodes: &[Node]) -> Controller {
         let alphabet = alphabet(nodes);
         let (game, strategy) = game_and_strategy(nodes, &alphabet);
-        merge(&game, &strategy, &alphabet, &mut |_, _| ()).expect("super steps end")
+        merge(&game, &strategy, &alphabet, &Lists::empty(game.states()), 1).expect("super steps end")
     }
 
     #[track_caller]
@@ -462,18 +481,11 @@ mod tests {
         let id =
             |text: &str| alphabet.letters.iter().position(|letter| letter.event.text == text).unwrap() as u32;
         let (game, strategy) = game_and_strategy(&nodes, &alphabet);
-        let mut asked = Vec::new();
-        let controller = merge(&game, &strategy, &alphabet, &mut |state, owed| {
-            asked.push(state);
-            match state {
-                0 => owed.extend([id("env -> ctl.c()"), id("env -> ctl.a()"), id("ctl -> arm.go()"), 0]),
-                2 => owed.extend([id("env -> ctl.b()"), id("env -> ctl.b()")]),
-                _ => {}
-            }
-        })
-        .expect("super steps end");
+        let mut owed = Lists::empty(game.states());
+        owed.set(0, &[id("env -> ctl.c()"), id("env -> ctl.a()"), id("ctl -> arm.go()"), 0]);
+        owed.set(2, &[id("env -> ctl.b()"), id("env -> ctl.b()")]);
+        let controller = merge(&game, &strategy, &alphabet, &owed, 1).expect("super steps end");
         assert_eq!(controller.owed, [vec![0, 2], vec![1], vec![]].iter().collect());
-        assert_eq!(asked, [0, 2, 3]);
     }
 
     /// The node to which a super step comes back.
@@ -482,7 +494,7 @@ mod tests {
         let nodes = parse(input);
         let alphabet = alphabet(&nodes);
         let (game, strategy) = game_and_strategy(&nodes, &alphabet);
-        let merged = merge(&game, &strategy, &alphabet, &mut |_, _| ());
+        let merged = merge(&game, &strategy, &alphabet, &Lists::empty(game.states()), 1);
         assert_eq!(merged, Err(EndlessSuperStep { node }));
     }
 

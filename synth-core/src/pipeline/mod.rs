@@ -25,11 +25,9 @@ use crate::model::{Spec, resolve::resolve};
 use crate::parallel::{share, threads_for};
 use crate::playout::Semantics;
 use crate::quality;
-use crate::successors::{PackedMoves, StateStore};
 use crate::syntax::Loaded;
 use crate::verdict::{self, Verdict, WinningPart};
 use crate::verify::{batches, verify};
-use std::ops::Range;
 use std::rc::Rc;
 
 /// Nodes of a product have `u32` ids.
@@ -309,7 +307,8 @@ pub fn warnings(
         let explored = &mut solved.explored;
         // Without one there is no controlled system to speak of, and that is an error of its own.
         let alphabet = alphabet(&explored.playout);
-        let merge = || merge(&explored.game, &strategy, &alphabet, &mut |_, _| ());
+        let nothing = Lists::empty(explored.game.states());
+        let merge = || merge(&explored.game, &strategy, &alphabet, &nothing, 1);
         if let Ok(controller) = timings.stage("super steps", merge) {
             let controller = timings.stage("minimise", || minimize(controller, Level::Exact));
             let of_control = || quality::of_controller(explored, &strategy, &controller, &warnings);
@@ -346,61 +345,36 @@ fn merged(
     threads: usize,
 ) -> Result<Controller, EndlessSuperStep> {
     let alphabet = alphabet(&explored.playout);
-    let promises = Promises::new(&explored.store, strategy, threads);
+    let owed = promises(explored, strategy, threads);
+    merge(&explored.game, strategy, &alphabet, &owed, threads)
+}
+
+/// What the states owe that a strategy comes to, found on several threads as far as that takes no play-out.
+fn promises(explored: &mut Explored<'_>, strategy: &Strategy, threads: usize) -> Lists {
+    const LEAST: usize = 4096;
     let Explored { playout, store, game } = explored;
-    let mut room = PackedMoves::default();
-    merge(game, strategy, &alphabet, &mut |state, owed| match promises.of(state) {
-        Some(known) => owed.extend_from_slice(known),
-        // The losing and the won state owe nothing.
-        None if state as usize >= store.len() => {}
-        None => store.owed(playout, state, &mut room, owed),
-    })
-}
-
-/// What states owe, as far as that takes no play-out; found on several threads.
-struct Promises {
-    /// Consecutive parts of the states.
-    parts: Vec<PromisesOfPart>,
-}
-
-#[derive(Default)]
-struct PromisesOfPart {
-    states: Range<u32>,
-    /// Per state; empty where nobody asks or it is not known.
-    owed: Lists,
-    /// The states of which it is not known, ascending.
-    unknown: Vec<u32>,
-}
-
-impl Promises {
-    /// Of the states that a strategy comes to.
-    fn new(store: &StateStore, strategy: &Strategy, threads: usize) -> Promises {
-        const LEAST: usize = 4096;
-        let mut asked = vec![false; store.len()];
-        for &state in strategy.state.iter().filter(|&&state| (state as usize) < store.len()) {
-            asked[state as usize] = true;
-        }
-        let mut parts = Vec::new();
-        share(&mut parts, 0..store.len() as u32, LEAST, threads, |part: &mut PromisesOfPart, states| {
-            part.states = states.clone();
-            let (mut room, mut owed) = (PackedMoves::default(), Vec::new());
-            for state in states {
+    let mut asked = vec![false; game.states()];
+    strategy.state.iter().for_each(|&state| asked[state as usize] = true);
+    let mut parts: Vec<(Lists, Vec<u32>)> = Vec::new();
+    share(&mut parts, 0..store.len() as u32, LEAST, threads, |(promises, unknown), states| {
+        let (mut row, mut owed) = (Vec::new(), Vec::new());
+        for state in states {
+            owed.clear();
+            if asked[state as usize] && store.known_owed(state, &mut row, &mut owed).is_err() {
                 owed.clear();
-                if asked[state as usize] && store.known_owed(state, &mut room, &mut owed).is_err() {
-                    owed.clear();
-                    part.unknown.push(state);
-                }
-                part.owed.push(&owed);
+                unknown.push(state);
             }
-        });
-        Promises { parts }
+            promises.push(&owed);
+        }
+    });
+    let mut all = Lists::default();
+    parts.iter().for_each(|(promises, _)| all.append(promises));
+    for &state in parts.iter().flat_map(|(_, unknown)| unknown) {
+        all.set(state as usize, &store.owed(playout, state));
     }
-
-    fn of(&self, state: u32) -> Option<&[u32]> {
-        let part = self.parts.iter().find(|part| part.states.contains(&state))?;
-        let known = part.unknown.binary_search(&state).is_err();
-        known.then(|| &part.owed[(state - part.states.start) as usize])
-    }
+    // The losing and the won state owe nothing.
+    (store.len()..game.states()).for_each(|_| all.push(&[]));
+    all
 }
 
 /// Verifies any controller; its product with the specification may have as many nodes as `options` allow states.

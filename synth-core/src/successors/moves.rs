@@ -213,32 +213,32 @@ impl Successors {
         if decides || turn == Turn::SystemEventually && !out.edges.is_empty() { Ok(()) } else { Err(Miss) }
     }
 
-    /// The events that [`Playout::owed`](crate::playout::Playout::owed) gives, into a cleared list; `room` is overwritten.
+    /// The events that [`Playout::owed`](crate::playout::Playout::owed) gives, into a cleared list.
     ///
     /// # Errors
     /// As for [`Successors::moves`].
-    pub(crate) fn owed(
-        &self,
-        row: &[u64],
-        room: &mut PackedMoves,
-        owed: &mut Vec<EventId>,
-    ) -> Result<(), Miss> {
-        room.clear(self.layout.words());
-        survey(&mut &*self, row, room)?;
-        room.candidates.clear();
-        room.candidates.resize(room.wishes.words(), 0);
-        add_caused(room);
+    pub(crate) fn owed(&self, row: &[u64], owed: &mut Vec<EventId>) -> Result<(), Miss> {
         owed.clear();
-        for (index, &word) in room.candidates.iter().enumerate() {
-            let mut bits = word;
+        for (index, &word) in row.iter().enumerate() {
+            let mut bits = word & self.layout.slots(index);
             while bits != 0 {
-                owed.push(self.by_rank[take(&mut bits, index)]);
+                let (field, value) = self.layout.take(index, word, &mut bits);
+                let offers = leaf(&mut &*self, Place::Offers(self.group(field, value)), row, row)?;
+                if offers != NOTHING {
+                    let wishes = part(&self.wishes, self.offers[offers as usize]).iter();
+                    let caused = wishes.filter(|wish| ENVIRONMENT.contains(&wish.class));
+                    owed.extend(caused.map(|wish| wish.event));
+                }
             }
         }
         owed.sort_unstable();
+        owed.dedup();
         Ok(())
     }
 }
+
+/// The classes of what assumptions say that the environment sends.
+const ENVIRONMENT: [u8; 3] = [class::ENVIRONMENT_COMMITTED, class::ENVIRONMENT_URGENT, class::ENVIRONMENT];
 
 /// The leaf of a tree for the state. Most roots are leaves.
 #[inline(always)]
@@ -379,7 +379,7 @@ fn survey<S: Source>(source: &mut S, row: &[u64], out: &mut PackedMoves) -> Resu
 /// Adds to the candidates what assumptions say that the environment sends.
 fn add_caused(out: &mut PackedMoves) {
     let PackedMoves { wishes, candidates, .. } = out;
-    for class in [class::ENVIRONMENT_COMMITTED, class::ENVIRONMENT_URGENT, class::ENVIRONMENT] {
+    for class in ENVIRONMENT {
         wishes.add_to(class, candidates);
     }
 }

@@ -100,32 +100,24 @@ impl StateStore {
         Ok(())
     }
 
-    /// What [`Playout::owed`] gives for a state that was found in this play-out, into a cleared list.
-    pub fn owed(
-        &self,
-        playout: &mut Playout<'_>,
-        state: StateId,
-        room: &mut PackedMoves,
-        owed: &mut Vec<EventId>,
-    ) {
-        if self.known_owed(state, room, owed).is_err() {
-            let mut config = Config::default();
-            self.load(playout, state, &mut config);
-            *owed = playout.owed(&config);
-        }
+    /// What [`Playout::owed`] gives for a state that was found in this play-out.
+    pub(crate) fn owed(&self, playout: &mut Playout<'_>, state: StateId) -> Vec<EventId> {
+        let mut config = Config::default();
+        self.load(playout, state, &mut config);
+        playout.owed(&config)
     }
 
-    /// The same without a play-out.
+    /// The same without a play-out, into a cleared list; `row` is overwritten.
     ///
     /// # Errors
     /// What it follows from is not known.
     pub(crate) fn known_owed(
         &self,
         state: StateId,
-        room: &mut PackedMoves,
+        row: &mut Vec<u64>,
         owed: &mut Vec<EventId>,
     ) -> Result<(), Miss> {
-        self.successors.owed(self.rows.get(state, &mut Vec::new()), room, owed)
+        self.successors.owed(self.rows.get(state, row), owed)
     }
 
     /// How many sets of fairness keys were met so far; ids are below it.
