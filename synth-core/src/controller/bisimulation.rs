@@ -12,7 +12,7 @@
 use super::Controller;
 use super::kinds::Kinds;
 use crate::intern::hash;
-use crate::parallel::fill;
+use crate::parallel::{each, fill, threads_for};
 use rustc_hash::FxHasher;
 use std::collections::VecDeque;
 use std::hash::Hasher;
@@ -30,7 +30,10 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    pub(super) fn new(controller: &Controller) -> Rows {
+    /// On so many threads, or as many as the machine runs at once if that is 0.
+    pub(super) fn new(controller: &Controller, threads: usize) -> Rows {
+        // So few states that what is written of them stays in the cache, whatever the order.
+        const STATES: usize = 1 << 14;
         let kinds = Kinds::of_all_rows(controller);
         let mut first = Vec::with_capacity(kinds.of.len() + 1);
         let mut rows = 0;
@@ -39,15 +42,34 @@ impl Rows {
             rows += kinds.labels[kind as usize];
             first.push(rows);
         }
-        let mut next = first.clone();
         let mut target = vec![0; rows as usize];
-        let steps = &controller.super_steps;
-        let steps = steps.source.iter().copied().zip(steps.target.iter().copied());
-        for (from, to) in controller.environment.iter().flatten().copied().chain(steps) {
-            let place = &mut next[from as usize];
-            target[*place as usize] = to;
-            *place += 1;
+        let mut rest = &mut target[..];
+        let mut parts = Vec::new();
+        for begin in (0..kinds.of.len()).step_by(STATES) {
+            let states = begin..kinds.of.len().min(begin + STATES);
+            let (part, others) = rest.split_at_mut((first[states.end] - first[begin]) as usize);
+            parts.push((states, part));
+            rest = others;
         }
+        let threads = threads_for(parts.len(), threads);
+        let steps = &controller.super_steps;
+        each(parts.into_iter(), threads, |(states, target)| {
+            let mut next: Vec<u32> =
+                first[states.clone()].iter().map(|row| row - first[states.start]).collect();
+            let mut add = |from: u32, to: u32| {
+                let place = &mut next[from as usize - states.start];
+                target[*place as usize] = to;
+                *place += 1;
+            };
+            let (begin, end) = (states.start as u32, states.end as u32);
+            for rows in &controller.environment {
+                let first = rows.partition_point(|row| row.0 < begin);
+                rows[first..].iter().take_while(|row| row.0 < end).for_each(|row| add(row.0, row.1));
+            }
+            let first = steps.source.partition_point(|&source| source < begin);
+            let rows = steps.source[first..].iter().zip(&steps.target[first..]);
+            rows.take_while(|row| *row.0 < end).for_each(|(&source, &target)| add(source, target));
+        });
         Rows { kinds, first, target }
     }
 
@@ -92,13 +114,8 @@ fn alike(rows: &Rows, bits: u64, threads: usize) -> Vec<(u64, u32)> {
     let mut hashes: Vec<u64> = rows.kinds.of.iter().map(|kind| hash(kind) & bits).collect();
     let mut further = vec![0; states];
     let mut seen = Seen::new(states);
-    let mut distinct = 0;
+    let mut distinct = seen.set(&hashes);
     loop {
-        let found = seen.set(&hashes);
-        if found <= distinct + states / 64 {
-            break;
-        }
-        distinct = found;
         fill(&mut further, LEAST, threads, |state| {
             let own = hashes[state];
             if seen.once(own) {
@@ -110,6 +127,11 @@ fn alike(rows: &Rows, bits: u64, threads: usize) -> Vec<(u64, u32)> {
             hasher.finish() & bits
         });
         swap(&mut hashes, &mut further);
+        let found = seen.set(&hashes);
+        if found <= distinct + states / 64 {
+            break;
+        }
+        distinct = found;
     }
     drop(further);
     (0..).zip(hashes).filter(|(_, hash)| !seen.once(*hash)).map(|(state, hash)| (hash, state)).collect()
@@ -396,7 +418,7 @@ mod tests {
         /// Also if hashes hardly tell anything apart.
         #[test]
         fn it_is_the_coarsest(controller in controllers(24), bits in prop::sample::select(vec![0, 1, 6, u64::MAX])) {
-            let rows = Rows::new(&controller);
+            let rows = Rows::new(&controller, 1);
             let found = refine(&rows, bits, 1).into_iter().map(|state| state as usize);
             prop_assert_eq!(found.collect::<Vec<_>>(), naive(&rows));
         }

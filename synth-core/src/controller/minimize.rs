@@ -111,7 +111,7 @@ const NONE: u32 = u32::MAX;
 /// only what they owe. Classes are met in the order in which a search through classes would meet them, because
 /// the rows of a later state of a class lead to classes that are known already.
 fn quotient(mut controller: Controller, threads: usize) -> Controller {
-    let rows = Rows::new(&controller);
+    let rows = Rows::new(&controller, threads);
     let class = bisimulation(&rows, threads);
     let order = breadth_first(&rows, controller.initial);
     drop(rows);
