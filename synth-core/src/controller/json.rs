@@ -20,9 +20,6 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::io::{self, Write as _};
 use std::marker::PhantomData;
-use std::panic::resume_unwind;
-use std::sync::mpsc;
-use std::thread;
 
 /// The version of the format. To be raised when an old reader would misunderstand a new file; a new field that it may
 /// pass over is no reason.
@@ -56,41 +53,14 @@ fn text(controller: &Controller, level: Level, monitor: bool) -> String {
     String::from_utf8(bytes).expect("JSON is text")
 }
 
-/// Writes what [`to_json_at`] returns, piece by piece: a thread makes the next ones while `out` takes one, unless there is little.
+/// Writes what [`to_json_at`] returns, piece by piece.
 ///
 /// # Errors
 /// Those of `out`.
 pub fn write_json_at(controller: &Controller, level: Level, out: &mut dyn io::Write) -> io::Result<()> {
-    const PIECE: usize = 1 << 16;
-    fn write_to(controller: &Controller, level: Level, out: impl io::Write) -> io::Result<()> {
-        let mut out = io::BufWriter::with_capacity(PIECE, out);
-        write(controller, level, false, &mut out)?;
-        out.flush()
-    }
-    if (controller.states as usize) < PIECE {
-        return write_to(controller, level, out);
-    }
-    let (sender, pieces) = mpsc::sync_channel(8);
-    thread::scope(|scope| {
-        let made = scope.spawn(move || write_to(controller, level, Pieces(sender)));
-        // What goes no further is told to the maker when `pieces` goes.
-        pieces.into_iter().try_for_each(|piece| out.write_all(&piece))?;
-        made.join().unwrap_or_else(|panic| resume_unwind(panic))
-    })
-}
-
-/// Hands on what is written.
-struct Pieces(mpsc::SyncSender<Vec<u8>>);
-
-impl io::Write for Pieces {
-    fn write(&mut self, piece: &[u8]) -> io::Result<usize> {
-        self.0.send(piece.to_vec()).map_err(|_| io::ErrorKind::BrokenPipe)?;
-        Ok(piece.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
+    let mut out = io::BufWriter::with_capacity(1 << 16, out);
+    write(controller, level, false, &mut out)?;
+    out.flush()
 }
 
 fn write(controller: &Controller, level: Level, monitor: bool, out: &mut impl io::Write) -> io::Result<()> {
