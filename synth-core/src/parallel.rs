@@ -99,6 +99,18 @@ pub(crate) fn fill<T: Send>(
     });
 }
 
+/// Calls `look` with the numbers below `nodes`, the greatest first, as each thread does with the part of them that is its turn; the sum
+/// of the results. `threads` as for [`share`].
+pub(crate) fn sum_backwards(nodes: usize, threads: usize, look: impl Fn(usize) -> usize + Sync) -> usize {
+    const PART: usize = 1 << 12;
+    let mut places: Vec<usize> = Vec::new();
+    take_turns(&mut places, nodes.div_ceil(PART), threads, |sum, part| {
+        let end = nodes - part * PART;
+        *sum += (end.saturating_sub(PART)..end).rev().map(&look).sum::<usize>();
+    });
+    places.iter().sum()
+}
+
 /// On how many threads to do work for `most`: so many as are asked for, or as the machine runs at once if `threads` is 0, and one at
 /// least.
 pub(crate) fn threads_for(most: usize, threads: usize) -> usize {

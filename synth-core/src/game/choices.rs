@@ -98,9 +98,8 @@ impl Graph for Choices<'_> {
         self.game.states()
     }
 
-    fn nodes_in<'s>(&'s self, states: &'s FixedBitSet) -> impl Iterator<Item = u32> + 's {
-        // It goes through the first set and asks the second one.
-        states.intersection(&self.reached).map(|state| state as u32)
+    fn is_reached(&self, node: u32) -> bool {
+        self.reached.contains(node as usize)
     }
 
     fn state(&self, node: u32) -> u32 {

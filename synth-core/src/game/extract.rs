@@ -84,7 +84,7 @@ impl<'a> Extraction<'a> {
     fn new(game: &'a Game, solution: &'a Solution, threads: usize) -> Self {
         let goals = Acceptance::goals(game, threads);
         let order = (0..goals.len()).collect();
-        let fairness = Fairness::new(game);
+        let fairness = Fairness::new(game, &goals);
         Extraction { game, solution, threads, order, goals, fairness, demanding: Vec::new() }
     }
 
@@ -92,7 +92,7 @@ impl<'a> Extraction<'a> {
         let Extraction { game, solution, threads, .. } = self;
         let rotation = loop {
             let choices = Choices::new(game, solution, &self.order, threads)?;
-            let missed = self.fairness.missed(&choices, &self.goals, solution.ending, threads);
+            let missed = self.fairness.missed(&choices, &[], solution.ending, threads);
             if missed.is_empty() {
                 return Ok(choices.strategy());
             }
@@ -126,12 +126,12 @@ impl<'a> Extraction<'a> {
         }
     }
 
-    /// A strategy with this memory, and the goals that it misses, ascending.
+    /// A strategy with this memory, and the goals that it misses; of the demanding ones hardly more than whether it does.
     fn attempt(&self, memory: Memory) -> Result<(Strategy, Vec<usize>), ExtractError> {
         let &Extraction { game, solution, threads, ref goals, ref order, ref demanding, .. } = self;
         let moves = Moves { game, solution, goals, order, demanding };
         let strategy = Plays::new(moves, memory, threads).explore()?;
-        let missed = self.fairness.missed(&OfStrategy(&strategy), goals, solution.ending, threads);
+        let missed = self.fairness.missed(&OfStrategy(&strategy), demanding, solution.ending, threads);
         Ok((strategy, missed))
     }
 

@@ -5,27 +5,55 @@
 //! repeats for ever lie in one strongly connected component of that part of the graph. So a goal fails exactly if
 //! such a component, as a whole, accepts every assumption.
 
+use super::bits::{BITS, by_state};
 use super::components::{Component, Components, Part};
 use super::graph::{Graph, OfStrategy};
+use super::starving::Starving;
 use super::{Game, Strategy, Turn, acceptance::Acceptance};
 use crate::parallel::take_turns;
 use fixedbitset::FixedBitSet;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// What is asked of plays, whatever the strategy.
 pub(super) struct Fairness<'a> {
-    game: &'a Game,
+    pub(super) game: &'a Game,
+    /// The number of goals.
+    goals: usize,
+    /// They, a word at a time.
+    groups: Vec<Group>,
     /// Per key: whether it is one of an assumption.
     is_assumption: Vec<bool>,
     /// The edges that discharge a key of an assumption: few, and to ask for a bit is to spare most looks at actions.
     assumed: FixedBitSet,
     /// The edges that discharge a key of a guarantee that is open at both ends; of others it makes no difference. None in most games.
-    inner: Option<FixedBitSet>,
+    pub(super) inner: Option<FixedBitSet>,
+    /// The states in which an assumption is open.
+    assuming: FixedBitSet,
     /// The states in which a play may stay for ever in silence and be fair.
-    rests: FixedBitSet,
+    pub(super) rests: FixedBitSet,
+}
+
+/// Goals, each a bit.
+pub(super) struct Group {
+    /// Per state: the goals that are open there.
+    pub(super) open: Vec<usize>,
+    /// Per action: the goals that it does not discharge.
+    pub(super) spares: Vec<usize>,
+}
+
+impl Group {
+    fn new(game: &Game, goals: &[Acceptance]) -> Self {
+        let open = by_state(game.states(), goals.iter().map(|goal| &goal.open));
+        let accepts = |action| {
+            let goals = goals.iter().enumerate();
+            goals.fold(0, |word, (bit, goal)| word | usize::from(goal.accepts(action)) << bit)
+        };
+        Group { open, spares: (0..game.actions.len() as u32).map(|action| !accepts(action)).collect() }
+    }
 }
 
 impl<'a> Fairness<'a> {
-    pub(super) fn new(game: &'a Game) -> Self {
+    pub(super) fn new(game: &'a Game, goals: &[Acceptance]) -> Self {
         let mut is_assumption = vec![false; game.key_sets.keys() as usize];
         for &key in &game.assumptions {
             is_assumption[key as usize] = true;
@@ -33,55 +61,131 @@ impl<'a> Fairness<'a> {
         let sets = 0..game.key_sets.len() as u32;
         let assumes: Vec<bool> =
             sets.map(|set| game.key_sets.members(set).any(|key| is_assumption[key as usize])).collect();
-        let may_rest = |&state: &usize| {
-            game.silent[state] && game.turn[state].is_environment() && !assumes[game.open[state] as usize]
-        };
+        let mut assuming = FixedBitSet::with_capacity(game.states());
         let mut rests = FixedBitSet::with_capacity(game.states());
-        (0..game.states()).filter(may_rest).for_each(|state| rests.insert(state));
+        for (state, &set) in game.open.iter().enumerate() {
+            if assumes[set as usize] {
+                assuming.insert(state);
+            } else if game.silent[state] && game.turn[state].is_environment() {
+                rests.insert(state);
+            }
+        }
         let assumed = discharging(game, &game.assumptions);
         let inner = Some(inner(game)).filter(|edges| !edges.is_clear());
-        Fairness { game, is_assumption, assumed, inner, rests }
+        let groups = goals.chunks(BITS).map(|goals| Group::new(game, goals)).collect();
+        Fairness { game, goals: goals.len(), groups, is_assumption, assumed, inner, assuming, rests }
     }
 
-    /// The goals that some play of a strategy, fair to all assumptions, misses, ascending. If `ending`, the last goal, the end
-    /// of super steps, must also be met by plays that are not fair.
+    /// The goals that some play of a strategy, fair to all assumptions, misses, ascending; but of those that are `known` to be
+    /// demanding only whether any is missed if no other is, and then not which ones. If `ending`, the last goal, the end of
+    /// super steps, must also be met by plays that are not fair.
     pub(super) fn missed<G: Graph>(
         &self,
         graph: &G,
-        goals: &[Acceptance],
+        known: &[usize],
         ending: bool,
         threads: usize,
     ) -> Vec<usize> {
-        let mut places: Vec<(Option<Components<'_, G>>, Vec<usize>)> = Vec::new();
-        take_turns(&mut places, goals.len(), threads, |(components, missed), index| {
-            let part = Missing { fairness: self, graph, goal: &goals[index] };
-            if part.goal.open.is_clear() {
-                return;
-            }
-            let must_end = ending && index + 1 == goals.len();
-            let fails =
-                |component: Component<'_>| component.is_cyclic && (must_end || part.is_fair(component));
-            let mut silent = self.rests.clone();
-            silent.intersect_with(&part.goal.open);
-            if !silent.is_clear() && graph.nodes_in(&silent).next().is_some()
-                || components.get_or_insert_with(|| Components::new(graph)).any(&part, fails)
-            {
-                missed.push(index);
-            }
-        });
-        let mut missed: Vec<usize> = places.into_iter().flat_map(|(_, missed)| missed).collect();
-        missed.sort_unstable();
+        let mut missed = Vec::new();
+        for (group, first) in self.groups.iter().zip((0..).step_by(BITS)) {
+            let last = if ending { (self.goals - 1).wrapping_sub(first) } else { BITS };
+            let strict = if last < BITS { 1 << last } else { 0 };
+            let mut starving = Starving::new(self, graph, group, strict);
+            starving.strike_out(threads);
+            let is_known = |bit: &usize| known.binary_search(&(first + bit)).is_ok();
+            let mut suspects: Vec<usize> = ones(starving.any()).collect();
+            suspects.sort_by_key(is_known);
+            let found = AtomicUsize::new(starving.resting);
+            let mut places: Vec<Option<Components<'_, G>>> = Vec::new();
+            take_turns(&mut places, suspects.len(), threads, |components, index| {
+                let bit = suspects[index];
+                if found.load(Ordering::Relaxed) != 0 && is_known(&bit) {
+                    return;
+                }
+                let part = Missing { starving: &starving, graph, bit };
+                let is_strict = strict >> bit & 1 == 1;
+                let has_fair_walk = || {
+                    let walk = starving.closed_walk(bit)?;
+                    let states = walk.iter().map(|&(node, _)| graph.state(node));
+                    let edges = walk.iter().map(|&(_, edge)| graph.of_game(edge));
+                    (is_strict || self.meets_assumptions(states, edges)).then_some(())
+                };
+                let fails = |component: Component<'_>| {
+                    component.is_cyclic && (is_strict || self.is_fair(&part, component))
+                };
+                if has_fair_walk().is_some()
+                    || components.get_or_insert_with(|| Components::new(graph)).any(&part, fails)
+                {
+                    found.fetch_or(1 << bit, Ordering::Relaxed);
+                }
+            });
+            missed.extend(ones(found.into_inner()).map(|bit| first + bit));
+        }
         missed
     }
+
+    /// Whether nothing but time passes on an edge from a state to itself, while an assumption is open.
+    pub(super) fn is_idle(&self, state: u32, edge: usize) -> bool {
+        self.assuming.contains(state as usize) && !self.assumed.contains(edge)
+    }
+
+    /// Whether the environment can stay in a component for ever and be fair to all assumptions.
+    fn is_fair<G: Graph>(&self, part: &Missing<'_, G>, component: Component<'_>) -> bool {
+        let Component { nodes, is_cyclic, number } = component;
+        let graph = part.graph;
+        if let [node] = nodes
+            && self.rests.contains(graph.state(*node) as usize)
+        {
+            return true;
+        }
+        let own = number[nodes[0] as usize];
+        let edges = nodes.iter().flat_map(|&node| graph.edges_of(node));
+        let edges = edges.filter(|&edge| {
+            self.assumed.contains(graph.of_game(edge))
+                && number[graph.target(edge) as usize] == own
+                && part.has_edge(edge)
+        });
+        let states = nodes.iter().map(|&node| graph.state(node));
+        is_cyclic && self.meets_assumptions(states, edges.map(|edge| graph.of_game(edge)))
+    }
+
+    /// Whether each assumption is accepted by one of these states or edges; there is one state at least.
+    fn meets_assumptions(
+        &self,
+        mut states: impl Iterator<Item = u32> + Clone,
+        mut edges: impl Iterator<Item = usize>,
+    ) -> bool {
+        let Game { key_sets, open, .. } = self.game;
+        let Some(first) = states.clone().next() else { return false };
+        // The assumptions that nothing accepts of what was looked at so far.
+        let mut missed: Vec<u32> = key_sets.members(open[first as usize]).collect();
+        missed.retain(|&key| self.is_assumption[key as usize]);
+        missed.is_empty()
+            || states.any(|state| {
+                missed.retain(|&key| key_sets.contains(open[state as usize], key));
+                missed.is_empty()
+            })
+            || edges.any(|edge| {
+                let discharged = self.game.discharged(edge);
+                missed.retain(|&key| !key_sets.contains(discharged, key));
+                missed.is_empty()
+            })
+    }
+}
+
+/// The bits that are set.
+fn ones(word: usize) -> impl Iterator<Item = usize> {
+    (0..BITS).filter(move |&bit| word >> bit & 1 == 1)
 }
 
 /// Per node of the strategy: the environment has no play from there that is fair to all assumptions, nor has the system won
 /// already.
 #[must_use]
 pub fn trapped(game: &Game, strategy: &Strategy) -> Vec<bool> {
-    let (fairness, goal) = (Fairness::new(game), Acceptance::never(game));
+    let fairness = Fairness::new(game, &[Acceptance::never(game)]);
     let graph = OfStrategy(strategy);
-    let part = Missing { fairness: &fairness, graph: &graph, goal: &goal };
+    let starving = Starving::new(&fairness, &graph, &fairness.groups[0], 0);
+    let part = Missing { starving: &starving, graph: &graph, bit: 0 };
     let mut trapped = vec![false; strategy.nodes()];
     Components::new(&graph).any(&part, |component| {
         let Component { nodes, number, .. } = component;
@@ -92,7 +196,7 @@ pub fn trapped(game: &Game, strategy: &Strategy) -> Vec<bool> {
             })
         };
         let is_over = game.turn[strategy.state[nodes[0] as usize] as usize] == Turn::Won;
-        if !is_over && !nodes.iter().any(leads_out) && !part.is_fair(component) {
+        if !is_over && !nodes.iter().any(leads_out) && !fairness.is_fair(&part, component) {
             nodes.iter().for_each(|&node| trapped[node as usize] = true);
         }
         false
@@ -100,66 +204,20 @@ pub fn trapped(game: &Game, strategy: &Strategy) -> Vec<bool> {
     trapped
 }
 
-/// The part of a strategy's graph in which a goal is not accepted.
+/// The part of a strategy's graph in which a goal starves.
 struct Missing<'a, G> {
-    fairness: &'a Fairness<'a>,
+    starving: &'a Starving<'a, G>,
     graph: &'a G,
-    goal: &'a Acceptance,
+    bit: usize,
 }
 
 impl<G: Graph> Part for Missing<'_, G> {
     fn nodes(&self) -> impl Iterator<Item = u32> {
-        self.graph.nodes_in(&self.goal.open)
+        self.starving.of(self.bit)
     }
 
     fn has_edge(&self, edge: usize) -> bool {
-        let Some(inner) = &self.fairness.inner else { return true };
-        let edge = self.graph.of_game(edge);
-        !inner.contains(edge) || !self.goal.accepts(self.fairness.game.action[edge])
-    }
-}
-
-impl<G: Graph> Missing<'_, G> {
-    /// Whether the environment can stay in the component for ever and be fair to all assumptions.
-    fn is_fair(&self, component: Component<'_>) -> bool {
-        let Component { nodes, is_cyclic, number } = component;
-        if let [node] = nodes
-            && self.fairness.rests.contains(self.graph.state(*node) as usize)
-        {
-            return true;
-        }
-        if !is_cyclic {
-            return false;
-        }
-        let Fairness { game, is_assumption, assumed, .. } = self.fairness;
-        let Game { key_sets, open, actions, .. } = game;
-        let open = |&node: &u32| open[self.graph.state(node) as usize];
-        // The assumptions that no node and no edge between nodes accepts, of those looked at so far.
-        let mut missed: Vec<u32> = key_sets.members(open(&nodes[0])).collect();
-        missed.retain(|&key| is_assumption[key as usize]);
-        for node in nodes {
-            let set = open(node);
-            missed.retain(|&key| key_sets.contains(set, key));
-            if missed.is_empty() {
-                return true;
-            }
-        }
-        let own = number[nodes[0] as usize];
-        for edge in nodes.iter().flat_map(|&node| self.graph.edges_of(node)) {
-            let of_game = self.graph.of_game(edge);
-            if !assumed.contains(of_game) {
-                continue;
-            }
-            let discharged = actions.discharged(game.action[of_game]);
-            let stays = |edge| number[self.graph.target(edge) as usize] == own && self.has_edge(edge);
-            if missed.iter().any(|&key| key_sets.contains(discharged, key)) && stays(edge) {
-                missed.retain(|&key| !key_sets.contains(discharged, key));
-                if missed.is_empty() {
-                    return true;
-                }
-            }
-        }
-        false
+        self.starving.spared(edge) >> self.bit & 1 == 1
     }
 }
 

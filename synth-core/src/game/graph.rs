@@ -1,15 +1,14 @@
 //! Graphs of plays in which the system has made its choices.
 
 use super::Strategy;
-use fixedbitset::FixedBitSet;
 use std::ops::Range;
 
 /// A graph of all plays of a strategy.
 pub(super) trait Graph: Sync {
-    /// Number of nodes; not all of them need be reached.
+    /// Number of nodes.
     fn nodes(&self) -> usize;
-    /// The reached nodes with one of these states of the game.
-    fn nodes_in<'s>(&'s self, states: &'s FixedBitSet) -> impl Iterator<Item = u32> + 's;
+    /// Whether a node is reached.
+    fn is_reached(&self, node: u32) -> bool;
     /// The state of the game in a node.
     fn state(&self, node: u32) -> u32;
     /// The edges that leave a node: one where the system has the turn.
@@ -28,9 +27,8 @@ impl Graph for OfStrategy<'_> {
         self.0.nodes()
     }
 
-    fn nodes_in<'s>(&'s self, states: &'s FixedBitSet) -> impl Iterator<Item = u32> + 's {
-        let all = (0..).zip(&self.0.state);
-        all.filter(|(_, state)| states.contains(**state as usize)).map(|(node, _)| node)
+    fn is_reached(&self, _: u32) -> bool {
+        true
     }
 
     fn state(&self, node: u32) -> u32 {

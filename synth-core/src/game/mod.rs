@@ -4,6 +4,7 @@
 
 mod acceptance;
 mod actions;
+mod bits;
 mod choices;
 mod components;
 mod counter;
@@ -20,6 +21,7 @@ mod pursuit;
 mod region;
 mod separation;
 mod solve;
+mod starving;
 mod strategy;
 
 pub use actions::{Actions, ActionsBuilder};
