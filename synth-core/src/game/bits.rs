@@ -6,11 +6,11 @@ use fixedbitset::FixedBitSet;
 pub(super) const BITS: usize = usize::BITS as usize;
 
 /// Per number below `states` the sets that it is in, as the bits of a word. There are at most [`BITS`] sets.
-pub(super) fn by_state<'s>(states: usize, sets: impl Iterator<Item = &'s FixedBitSet> + Clone) -> Vec<usize> {
+pub(super) fn by_state(states: usize, sets: &[&FixedBitSet]) -> Vec<usize> {
     let mut words = Vec::with_capacity(states);
     for block in 0..states.div_ceil(BITS) {
         let mut square = [0; BITS];
-        square.iter_mut().zip(sets.clone()).for_each(|(row, set)| *row = set.as_slice()[block]);
+        square.iter_mut().zip(sets).for_each(|(row, set)| *row = set.as_slice()[block]);
         transpose(&mut square);
         words.extend_from_slice(&square[..BITS.min(states - words.len())]);
     }
@@ -60,7 +60,7 @@ mod tests {
                 prop_assert!((0..sets).all(|set| found[set].contains(state) == (word >> set & 1 == 1)));
             }
             let mask = usize::MAX >> (BITS - sets);
-            let back = by_state(words.len(), found.iter());
+            let back = by_state(words.len(), &found.iter().collect::<Vec<_>>());
             prop_assert_eq!(back, words.iter().map(|word| word & mask).collect::<Vec<_>>());
         }
     }

@@ -75,7 +75,7 @@ pub fn wins(game: &Game) -> bool {
 /// losing the game and ending every super step.
 #[must_use]
 pub fn can_meet(game: &Game, keys: &[u32]) -> bool {
-    let goals = Acceptance::goals_of(game, keys, 1);
-    let layers = Layers::new(game, &Predecessors::new(game), &Acceptance::assumptions(game, 1), &goals);
+    let goals = Acceptance::goals_of(game, keys);
+    let layers = Layers::new(game, &Predecessors::new(game, 1), &Acceptance::assumptions(game), &goals);
     !layers.contains(game.initial)
 }

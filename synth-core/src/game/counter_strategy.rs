@@ -107,9 +107,9 @@ impl<'g> CounterStrategy<'g> {
         if solution.wins(game.initial) {
             return None;
         }
-        let predecessors = Predecessors::new(game);
-        let assumptions = Acceptance::assumptions(game, 1);
-        let goals = Acceptance::goals(game, 1);
+        let predecessors = Predecessors::new(game, 1);
+        let assumptions = Acceptance::assumptions(game);
+        let goals = Acceptance::goals(game);
         let layers = Layers::new(game, &predecessors, &assumptions, &goals);
         let ranks = BTreeMap::new();
         Some(CounterStrategy { game, predecessors, assumptions, goals, layers, ranked: NONE, ranks })

@@ -82,7 +82,7 @@ struct Extraction<'a> {
 
 impl<'a> Extraction<'a> {
     fn new(game: &'a Game, solution: &'a Solution, threads: usize) -> Self {
-        let goals = Acceptance::goals(game, threads);
+        let goals = Acceptance::goals(game);
         let order = (0..goals.len()).collect();
         let fairness = Fairness::new(game, &goals);
         Extraction { game, solution, threads, order, goals, fairness, demanding: Vec::new() }

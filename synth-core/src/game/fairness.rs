@@ -43,7 +43,8 @@ pub(super) struct Group {
 
 impl Group {
     fn new(game: &Game, goals: &[Acceptance]) -> Self {
-        let open = by_state(game.states(), goals.iter().map(|goal| &goal.open));
+        let open: Vec<&FixedBitSet> = goals.iter().map(|goal| &goal.open).collect();
+        let open = by_state(game.states(), &open);
         let accepts = |action| {
             let goals = goals.iter().enumerate();
             goals.fold(0, |word, (bit, goal)| word | usize::from(goal.accepts(action)) << bit)
@@ -58,18 +59,13 @@ impl<'a> Fairness<'a> {
         for &key in &game.assumptions {
             is_assumption[key as usize] = true;
         }
-        let sets = 0..game.key_sets.len() as u32;
-        let assumes: Vec<bool> =
-            sets.map(|set| game.key_sets.members(set).any(|key| is_assumption[key as usize])).collect();
         let mut assuming = FixedBitSet::with_capacity(game.states());
+        Acceptance::assumptions(game).iter().for_each(|assumption| assuming.union_with(&assumption.open));
+        let may_rest = |&state: &usize| {
+            game.silent[state] && game.turn[state].is_environment() && !assuming.contains(state)
+        };
         let mut rests = FixedBitSet::with_capacity(game.states());
-        for (state, &set) in game.open.iter().enumerate() {
-            if assumes[set as usize] {
-                assuming.insert(state);
-            } else if game.silent[state] && game.turn[state].is_environment() {
-                rests.insert(state);
-            }
-        }
+        (0..game.states()).filter(may_rest).for_each(|state| rests.insert(state));
         let assumed = discharging(game, &game.assumptions);
         let inner = Some(inner(game)).filter(|edges| !edges.is_clear());
         let groups = goals.chunks(BITS).map(|goals| Group::new(game, goals)).collect();
@@ -248,4 +244,117 @@ fn discharging(game: &Game, keys: &[u32]) -> FixedBitSet {
         bits.fold(0, |word, (bit, &action)| word | usize::from(by_action[action as usize]) << bit)
     };
     FixedBitSet::with_capacity_and_blocks(game.edges(), game.action.chunks(usize::BITS as usize).map(word))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::game::{ActionsBuilder, KeySetsBuilder};
+    use proptest::collection::vec;
+    use proptest::prelude::{any, prop_assert_eq, proptest};
+
+    /// A state: its turn, silence, open keys and edges with what they discharge.
+    type State = (bool, bool, usize, Vec<(usize, u32)>);
+
+    const ASSUMPTIONS: [u32; 2] = [0, 1];
+    const GUARANTEES: [u32; 2] = [2, 3];
+
+    fn game(states: &[State]) -> Game {
+        let (mut actions, mut sets) = (ActionsBuilder::default(), KeySetsBuilder::default());
+        let mut game = Game {
+            initial: 0,
+            turn: Vec::new(),
+            silent: Vec::new(),
+            open: Vec::new(),
+            first: vec![0],
+            action: Vec::new(),
+            target: Vec::new(),
+            actions: actions.actions(),
+            key_sets: sets.sets().clone(),
+            assumptions: ASSUMPTIONS.to_vec(),
+            guarantees: GUARANTEES.to_vec(),
+        };
+        // All keys are known, whatever the states say.
+        sets.intern(&[0, 1, 2, 3]);
+        let mut set = |bits: usize| sets.intern(&ones(bits).map(|key| key as u32).collect::<Vec<_>>());
+        for (system, silent, open, edges) in states {
+            game.turn.push(if *system { Turn::SystemUrgent } else { Turn::EnvironmentAny });
+            game.silent.push(*silent);
+            game.open.push(set(*open));
+            for &(discharged, target) in edges {
+                game.action.push(actions.intern(0, set(discharged)));
+                game.target.push(target % states.len() as u32);
+            }
+            game.first.push(game.target.len() as u32);
+        }
+        (game.actions, game.key_sets) = (actions.finish(), sets.finish());
+        game
+    }
+
+    /// By what can be reached from where.
+    fn is_missed(game: &Game, goal: usize, strict: bool) -> bool {
+        let states = 0..game.states();
+        let has = |set: u32, key: u32| game.key_sets.contains(set, key);
+        let assumes = |state: usize, key: u32| has(game.open[state], key);
+        let key = GUARANTEES.get(goal);
+        let is_open =
+            |state: usize| key.map_or(game.turn[state].is_system(), |&key| has(game.open[state], key));
+        let rests = |state: usize| {
+            let is_silent = game.silent[state] && game.turn[state].is_environment();
+            is_silent && is_open(state) && !ASSUMPTIONS.iter().any(|&key| assumes(state, key))
+        };
+        let mut edges = Vec::new();
+        for state in states.clone().filter(|&state| is_open(state)) {
+            for edge in game.edges_of(state as u32) {
+                let target = game.target[edge] as usize;
+                if is_open(target) && !key.is_some_and(|&key| has(game.discharged(edge), key)) {
+                    edges.push((state, target, game.discharged(edge)));
+                }
+            }
+        }
+        let mut reaches = vec![vec![false; game.states()]; game.states()];
+        edges.iter().for_each(|&(from, to, _)| reaches[from][to] = true);
+        for (via, from) in states.clone().flat_map(|via| states.clone().map(move |from| (via, from))) {
+            if reaches[from][via] {
+                let further = reaches[via].clone();
+                reaches[from].iter_mut().zip(further).for_each(|(to, further)| *to |= further);
+            }
+        }
+        let is_fair = |state: usize| {
+            let is_in = |other: usize| reaches[state][other] && reaches[other][state];
+            let discharges = |key: u32| {
+                edges.iter().any(|&(from, to, discharged)| is_in(from) && is_in(to) && has(discharged, key))
+            };
+            let closes = |key: u32| states.clone().any(|other| is_in(other) && !assumes(other, key));
+            strict || ASSUMPTIONS.iter().all(|&key| discharges(key) || closes(key))
+        };
+        states.clone().any(|state| rests(state) || reaches[state][state] && is_fair(state))
+    }
+
+    proptest! {
+        #[test]
+        fn missed_is_what_starves_on_a_fair_cycle(
+            states in vec((any::<bool>(), any::<bool>(), 0..16usize, vec((0..16usize, 0..12u32), 1..4)), 1..12),
+            ending in any::<bool>(),
+            known in vec(any::<bool>(), 3),
+        ) {
+            let game = game(&states);
+            let edge = (0..game.edges() as u32).collect();
+            let (state, first, target) = ((0..game.states() as u32).collect(), game.first.clone(), game.target.clone());
+            let strategy = Strategy { state, first, edge, target };
+            let fairness = Fairness::new(&game, &Acceptance::goals(&game));
+            let graph = OfStrategy(&strategy);
+            let expected: Vec<usize> =
+                (0..3).filter(|&goal| is_missed(&game, goal, ending && goal == 2)).collect();
+            prop_assert_eq!(&fairness.missed(&graph, &[], ending, 1), &expected);
+            // Of the known ones it is only asked whether there are any, if there are no others.
+            let known: Vec<usize> = (0..3).filter(|&goal| known[goal]).collect();
+            let missed = fairness.missed(&graph, &known, ending, 1);
+            let others = |missed: &[usize]| -> Vec<usize> {
+                missed.iter().copied().filter(|goal| !known.contains(goal)).collect()
+            };
+            prop_assert_eq!(others(&missed), others(&expected));
+            prop_assert_eq!(missed.is_empty(), expected.is_empty());
+        }
+    }
 }

@@ -81,9 +81,9 @@ pub fn solve_ending(game: &Game) -> Solution {
 }
 
 fn solve_for(game: &Game, ending: bool, threads: usize) -> Solution {
-    let predecessors = Predecessors::new(game);
-    let assumptions = Acceptance::assumptions(game, threads);
-    let goals = Acceptance::goals(game, threads);
+    let predecessors = Predecessors::new(game, threads);
+    let assumptions = Acceptance::assumptions(game);
+    let goals = Acceptance::goals(game);
     let mut region = Region::new(game, &predecessors);
     let super_steps = goals.len() - 1;
     // What may be avoided instead of meeting a goal.

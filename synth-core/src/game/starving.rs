@@ -35,7 +35,8 @@ pub(super) struct Starving<'a, G> {
 impl<'a, G: Graph> Starving<'a, G> {
     pub(super) fn new(fairness: &'a Fairness<'a>, graph: &'a G, group: &'a Group, strict: usize) -> Self {
         let nodes = 0..graph.nodes() as u32;
-        let open = |node: u32| if graph.is_reached(node) { group.open[graph.state(node) as usize] } else { 0 };
+        let open =
+            |node: u32| if graph.is_reached(node) { group.open[graph.state(node) as usize] } else { 0 };
         let rests = |node: &u32| fairness.rests.contains(graph.state(*node) as usize);
         let resting = nodes.clone().filter(rests).fold(0, |resting, node| resting | open(node));
         let nodes = nodes.map(|node| AtomicUsize::new(open(node) & !resting)).collect();
@@ -66,7 +67,7 @@ impl<'a, G: Graph> Starving<'a, G> {
     }
 
     /// The nodes from which a goal may starve.
-    pub(super) fn of(&self, bit: usize) -> impl Iterator<Item = u32> {
+    pub(super) fn of(&self, bit: usize) -> impl DoubleEndedIterator<Item = u32> {
         (0..self.nodes.len() as u32).filter(move |&node| self.contains(node, bit))
     }
 
@@ -87,50 +88,66 @@ impl<'a, G: Graph> Starving<'a, G> {
         self.nodes[node as usize].load(Ordering::Relaxed)
     }
 
+    /// The goals that may starve after an edge that leaves a node.
+    #[inline]
+    fn after(&self, node: u32, edge: usize) -> usize {
+        let target = self.graph.target(edge);
+        let after = self.get(target) & self.spared(edge);
+        if target == node && self.fairness.is_idle(self.graph.state(node), self.graph.of_game(edge)) {
+            after & self.strict
+        } else {
+            after
+        }
+    }
+
     /// Strikes out of a node what none of its edges keeps; how much that was.
     fn strike(&self, node: u32) -> usize {
         let before = self.get(node);
         if before == 0 {
             return 0;
         }
-        let mut after = 0;
+        let mut kept = 0;
         for edge in self.graph.edges_of(node) {
-            let target = self.graph.target(edge);
-            let mut kept = before & self.get(target);
-            if kept & !after == 0 {
-                continue;
-            }
-            kept &= self.spared(edge);
-            if target == node && self.fairness.is_idle(self.graph.state(node), self.graph.of_game(edge)) {
-                kept &= self.strict;
-            }
-            after |= kept;
-            if after == before {
+            kept |= before & self.after(node, edge);
+            if kept == before {
                 return 0;
             }
         }
-        self.nodes[node as usize].store(after, Ordering::Relaxed);
-        (before & !after).count_ones() as usize
+        self.nodes[node as usize].store(kept, Ordering::Relaxed);
+        (before & !kept).count_ones() as usize
     }
 
     /// A walk on which a goal starves, as its edges with their nodes, that comes back to where it began; `None` if none is found
-    /// quickly.
+    /// quickly. It takes the edges of a node in turn, and back from where none goes on.
     pub(super) fn closed_walk(&self, bit: usize) -> Option<Vec<(u32, usize)>> {
-        let mut node = self.of(bit).next()?;
-        let mut turns: FxHashMap<u32, usize> = FxHashMap::default();
+        let steps = STEPS.min(self.nodes.len());
+        // Behind most others there is little that can still happen only once.
+        let mut node = self.of(bit).next_back()?;
+        // Per node the next edge, if there is any.
+        let mut turns: FxHashMap<u32, Option<usize>> = FxHashMap::default();
         let mut walk = Vec::new();
-        for _ in 0..STEPS {
-            let turn = turns.entry(node).or_default();
+        for step in 0..2 * steps {
+            if step >= steps
+                && turns.contains_key(&node)
+                && let Some(first) = walk.iter().position(|&(before, _)| before == node)
+            {
+                return Some(walk.split_off(first));
+            }
             let edges = self.graph.edges_of(node);
-            let goes_on =
-                |&edge: &usize| self.contains(self.graph.target(edge), bit) && self.spared(edge) >> bit & 1 == 1;
-            let begin = edges.start + *turn % edges.len().max(1);
-            let edge = (begin..edges.end).chain(edges.start..begin).find(goes_on)?;
-            *turn = edge + 1 - edges.start;
-            walk.push((node, edge));
-            node = self.graph.target(edge);
+            let turn = turns.get(&node).map_or(edges.start, |turn| turn.unwrap_or(edges.end));
+            let goes_on = |&edge: &usize| {
+                self.after(node, edge) >> bit & 1 == 1 && turns.get(&self.graph.target(edge)) != Some(&None)
+            };
+            let edge = (turn..edges.end).chain(edges.start..turn).find(goes_on);
+            turns.insert(node, edge.map(|edge| edge + 1));
+            node = match edge {
+                Some(edge) => {
+                    walk.push((node, edge));
+                    self.graph.target(edge)
+                }
+                None => walk.pop()?.0,
+            };
         }
-        let first = walk.iter().position(|&(before, _)| before == node)?;
-        Some(walk.split_off(first))
+        None
     }
 }
