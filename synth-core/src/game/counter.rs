@@ -76,6 +76,6 @@ pub fn wins(game: &Game) -> bool {
 #[must_use]
 pub fn can_meet(game: &Game, keys: &[u32]) -> bool {
     let goals = Acceptance::goals_of(game, keys);
-    let layers = Layers::new(game, &Predecessors::new(game, 1), &Acceptance::assumptions(game), &goals);
+    let layers = Layers::new(game, &Predecessors::new(game), &Acceptance::assumptions(game), &goals);
     !layers.contains(game.initial)
 }

@@ -107,7 +107,7 @@ impl<'g> CounterStrategy<'g> {
         if solution.wins(game.initial) {
             return None;
         }
-        let predecessors = Predecessors::new(game, 1);
+        let predecessors = Predecessors::new(game);
         let assumptions = Acceptance::assumptions(game);
         let goals = Acceptance::goals(game);
         let layers = Layers::new(game, &predecessors, &assumptions, &goals);

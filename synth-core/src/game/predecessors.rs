@@ -1,8 +1,6 @@
 //! The edges of a game, backwards.
 
 use super::Game;
-use crate::parallel::share;
-use std::ops::Range;
 
 /// An edge as seen from its target.
 #[derive(Clone, Copy, Debug)]
@@ -15,7 +13,7 @@ pub(super) struct Incoming {
 
 /// Per state its incoming edges: first those from states in which something must happen, then those from states in which the
 /// environment may be silent; each by ascending source.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Predecessors {
     first: Vec<u32>,
     /// Per state: where the edges from states with silence begin.
@@ -24,47 +22,25 @@ pub(super) struct Predecessors {
 }
 
 impl Predecessors {
-    /// Turns all edges around (a counting sort by target, each thread with targets of its own).
-    pub(super) fn new(game: &Game, threads: usize) -> Self {
-        const LEAST: usize = 1 << 14;
-        let mut parts: Vec<Predecessors> = Vec::new();
-        share(&mut parts, 0..game.states() as u32, LEAST, threads, |part, targets| {
-            *part = Self::of_some(game, targets);
-        });
-        let mut parts = parts.into_iter();
-        let mut all = parts.next().unwrap_or_default();
-        for Predecessors { first, silent, incoming } in parts {
-            all.first.pop();
-            let before = all.incoming.len() as u32;
-            all.first.extend(first.iter().map(|first| first + before));
-            all.silent.extend(silent.iter().map(|silent| silent + before));
-            all.incoming.extend(incoming);
-        }
-        all
-    }
-
-    /// The same for some targets, the first of which is 0.
-    fn of_some(game: &Game, targets: Range<u32>) -> Self {
-        let place = |edge: usize| game.target[edge].wrapping_sub(targets.start) as usize;
+    /// Turns all edges around (a counting sort by target).
+    pub(super) fn new(game: &Game) -> Self {
         // `first[t + 1]` is where the next edge into `t` goes, and so ends as the start of `t + 1`.
-        let mut first = vec![0; targets.len() + 2];
-        for edge in 0..game.edges() {
-            if let Some(count) = first.get_mut(place(edge).saturating_add(2)) {
-                *count += 1;
-            }
+        let mut first = vec![0; game.states() + 2];
+        for &target in &game.target {
+            first[target as usize + 2] += 1;
         }
         for state in 2..first.len() {
             first[state] += first[state - 1];
         }
-        let mut incoming = vec![Incoming { source: 0, action: 0 }; first[targets.len() + 1] as usize];
+        let mut incoming = vec![Incoming { source: 0, action: 0 }; game.edges()];
         let mut silent = Vec::new();
         for rests in [false, true] {
             if rests {
-                silent = first[1..=targets.len()].to_vec();
+                silent = first[1..=game.states()].to_vec();
             }
             for source in (0..game.states() as u32).filter(|&source| may_rest(game, source) == rests) {
-                for edge in game.edges_of(source).filter(|&edge| place(edge) < targets.len()) {
-                    let next = &mut first[place(edge) + 1];
+                for edge in game.edges_of(source) {
+                    let next = &mut first[game.target[edge] as usize + 1];
                     incoming[*next as usize] = Incoming { source, action: game.action[edge] };
                     *next += 1;
                 }

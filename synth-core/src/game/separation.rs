@@ -10,7 +10,7 @@ use fixedbitset::FixedBitSet;
 /// It is the game whose only goal is never accepted, so that only the assumptions can decide it.
 #[must_use]
 pub fn overpowered(game: &Game) -> FixedBitSet {
-    let predecessors = Predecessors::new(game, 1);
+    let predecessors = Predecessors::new(game);
     let assumptions = Acceptance::assumptions(game);
     let never = Acceptance::never(game);
     let mut region = Region::new(game, &predecessors);

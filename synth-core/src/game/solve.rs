@@ -81,7 +81,7 @@ pub fn solve_ending(game: &Game) -> Solution {
 }
 
 fn solve_for(game: &Game, ending: bool, threads: usize) -> Solution {
-    let predecessors = Predecessors::new(game, threads);
+    let predecessors = Predecessors::new(game);
     let assumptions = Acceptance::assumptions(game);
     let goals = Acceptance::goals(game);
     let mut region = Region::new(game, &predecessors);
