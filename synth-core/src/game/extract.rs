@@ -56,7 +56,7 @@ pub fn extract(game: &Game, solution: &Solution) -> Result<Strategy, ExtractErro
 }
 
 /// As [`extract`], with so many goals checked at a time, each on a thread of its own; the result does not depend on it.
-/// Each takes at most seven `u32` for a state or node.
+/// Each takes at most seven `u32` for a state or node, and all together a word for each state and one for each node.
 ///
 /// # Errors
 ///
