@@ -26,7 +26,7 @@ pub(super) struct Starving<'a, G> {
     group: &'a Group,
     /// The goals that starve on unfair cycles, too.
     strict: usize,
-    /// The goals that starve in a node where the play may rest; they are known and not looked at.
+    /// The goals that starve in a node where the play may rest; they are known, and struck out everywhere.
     pub(super) resting: usize,
     /// Per node the goals that have not been struck out.
     nodes: Vec<AtomicUsize>,
@@ -39,13 +39,17 @@ impl<'a, G: Graph> Starving<'a, G> {
             |node: u32| if graph.is_reached(node) { group.open[graph.state(node) as usize] } else { 0 };
         let rests = |node: &u32| fairness.rests.contains(graph.state(*node) as usize);
         let resting = nodes.clone().filter(rests).fold(0, |resting, node| resting | open(node));
-        let nodes = nodes.map(|node| AtomicUsize::new(open(node) & !resting)).collect();
+        let nodes = nodes.map(|node| AtomicUsize::new(open(node))).collect();
         Starving { fairness, graph, group, strict, resting, nodes }
     }
 
     /// Strikes out what cannot go on; the result does not say how much of it.
     pub(super) fn strike_out(&mut self, threads: usize) {
-        let ones = |node: &mut AtomicUsize| node.get_mut().count_ones() as usize;
+        let resting = self.resting;
+        let ones = |node: &mut AtomicUsize| {
+            *node.get_mut() &= !resting;
+            node.get_mut().count_ones() as usize
+        };
         let mut left: usize = self.nodes.iter_mut().map(ones).sum();
         while left > 0 {
             let struck = sum_backwards(self.nodes.len(), threads, |node| self.strike(node as u32));
