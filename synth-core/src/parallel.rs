@@ -103,6 +103,9 @@ pub(crate) fn fill<T: Send>(
 /// of the results. `threads` as for [`share`].
 pub(crate) fn sum_backwards(nodes: usize, threads: usize, look: impl Fn(usize) -> usize + Sync) -> usize {
     const PART: usize = 1 << 12;
+    // A thread is started in the time in which a few thousand nodes are looked at.
+    const LEAST: usize = 1 << 14;
+    let threads = threads_for(nodes / LEAST, threads);
     let mut places: Vec<usize> = Vec::new();
     take_turns(&mut places, nodes.div_ceil(PART), threads, |sum, part| {
         let end = nodes - part * PART;

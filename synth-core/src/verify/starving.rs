@@ -1,13 +1,14 @@
 //! What can starve at all? A quick answer for many goals at once, one bit for each.
 //!
 //! A goal starves on a walk that goes on for ever through nodes where it is open, without discharging it. Nodes from which
-//! none goes on are struck out until nothing changes. That keeps every cycle on which the goal starves, fair or not, and what
-//! leads there; a good controller seldom leaves more than cycles on which some assumption starves, too.
+//! none goes on are struck out until nothing changes. An edge from a node to itself that discharges no assumption, while one is
+//! open, is no way to go on: alone it is not fair, and to a longer cycle it adds nothing. That keeps every fair cycle on which the goal
+//! starves, and what leads there; a good controller seldom leaves anything.
 
 use super::graph::{Graph, Rest};
-use crate::parallel;
+use crate::parallel::sum_backwards;
 use crate::successors::SetId;
-use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// Goals that are looked at together.
 pub(super) const GOALS: usize = u64::BITS as usize;
@@ -17,14 +18,11 @@ pub(super) const GOALS: usize = u64::BITS as usize;
 /// takes as long as a hundred.
 const SWEEPS: usize = 64;
 
-/// Nodes that one thread looks at before it takes others.
-const PART: u32 = 1 << 12;
-
 /// Per node the goals, as bits, that can starve from there on.
 ///
 /// `open` says per set of keys which goals are in it. The goals of `inner` are open in the system's turn instead, and nothing
 /// discharges them. `assumes` says per set whether an assumption is in it, so that to stay in silence is not fair. `threads` as in
-/// [`parallel::share`]: the result is the greatest of its kind, whatever is looked at first.
+/// [`parallel::share`](crate::parallel::share): the result is the greatest of its kind, whatever is looked at first.
 pub(super) fn starving(
     graph: &Graph,
     open: &[u64],
@@ -36,7 +34,8 @@ pub(super) fn starving(
     let opens = |(&set, rest): (&SetId, &Rest)| open[set as usize] | if rest.environment { 0 } else { inner };
     let starving: Vec<AtomicU64> = nodes.map(|node| AtomicU64::new(opens(node))).collect();
     let search = Search { graph, open, assumes, starving: &starving };
-    if (0..SWEEPS).all(|_| search.round(threads, |node| search.strike(node) != 0)) {
+    let round = |_| sum_backwards(graph.nodes(), threads, |node| usize::from(search.strike(node) != 0));
+    if (0..SWEEPS).map(round).all(|struck| struck != 0) {
         search.follow(threads);
     }
     starving.into_iter().map(AtomicU64::into_inner).collect()
@@ -58,41 +57,24 @@ impl Search<'_> {
     /// Strikes out of a node what none of its edges keeps; which goals these were.
     fn strike(&self, node: usize) -> u64 {
         let before = self.get(node);
-        if before == 0 || self.graph.rest[node].silent && !self.assumes[self.graph.open[node] as usize] {
+        let assumes = self.assumes[self.graph.open[node] as usize];
+        if before == 0 || self.graph.rest[node].silent && !assumes {
             return 0;
         }
         let mut after = 0;
         for edge in self.graph.edges_of(node as u32) {
-            let discharged = self.open[self.graph.steps.discharged[edge as usize] as usize];
-            after |= before & !discharged & self.get(self.graph.target[edge as usize] as usize);
+            let target = self.graph.target[edge as usize] as usize;
+            let discharged = self.graph.steps.discharged[edge as usize] as usize;
+            if target == node && assumes && !self.assumes[discharged] {
+                continue;
+            }
+            after |= before & !self.open[discharged] & self.get(target);
             if after == before {
                 return 0;
             }
         }
         self.starving[node].store(after, Ordering::Relaxed);
         before & !after
-    }
-
-    /// Calls `look` with all nodes; whether it was true of one. Most edges lead to higher numbers, so it begins at the end, and so
-    /// does each thread.
-    fn round(&self, threads: usize, look: impl Fn(usize) -> bool + Sync) -> bool {
-        let nodes = self.graph.nodes() as u32;
-        let parts = nodes.div_ceil(PART);
-        let (taken, mut places) = (AtomicU32::new(0), Vec::new());
-        parallel::share(&mut places, 0..parts, 1, threads, |place, _| {
-            *place = false;
-            loop {
-                let part = taken.fetch_add(1, Ordering::Relaxed);
-                if part >= parts {
-                    break;
-                }
-                let end = nodes - part * PART;
-                for node in (end.saturating_sub(PART)..end).rev() {
-                    *place |= look(node as usize);
-                }
-            }
-        });
-        places.contains(&true)
     }
 
     /// Looks at nodes for as long as something was struck out of one that an edge of theirs leads to.
@@ -102,9 +84,9 @@ impl Search<'_> {
         let waits = |node: usize| &waits[node];
         // Whoever sees that a node waits sees what was struck out before, by all that made it wait: each swaps, so that none of
         // them hides another's release.
-        while self.round(threads, |node| {
+        let look = |node: usize| {
             if !waits(node).load(Ordering::Relaxed) || !waits(node).swap(false, Ordering::Acquire) {
-                return false;
+                return 0;
             }
             let struck = self.strike(node);
             let mut some_wait = false;
@@ -116,8 +98,9 @@ impl Search<'_> {
                     }
                 }
             }
-            some_wait
-        }) {}
+            usize::from(some_wait)
+        };
+        while sum_backwards(self.graph.nodes(), threads, look) != 0 {}
     }
 }
 
@@ -150,7 +133,13 @@ mod tests {
             for _ in all.clone() {
                 let longer = |node: usize| {
                     let rests = graph.rest[node].silent && !assumes[graph.open[node] as usize];
-                    let edges = graph.edges_of(node as u32).map(|edge| edge as usize);
+                    let adds = |edge: &usize| {
+                        let discharged = graph.steps.discharged[*edge] as usize;
+                        graph.target[*edge] as usize != node
+                            || !assumes[graph.open[node] as usize]
+                            || assumes[discharged]
+                    };
+                    let edges = graph.edges_of(node as u32).map(|edge| edge as usize).filter(adds);
                     let on = edges.fold(0, |on, edge| {
                         on | walks[graph.target[edge] as usize] & !open[graph.steps.discharged[edge] as usize]
                     });
