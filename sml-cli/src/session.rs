@@ -21,6 +21,7 @@ use synth_core::plant::pipeline::{Followed, ModularlySupervised, Supervised};
 use synth_core::plant::{self, ClosedLoop, Plant, Synthesis};
 use synth_core::playout::Semantics;
 use synth_core::quality::{self, Policy};
+use synth_core::symmetry::{self, Reduced, Symmetry};
 use synth_core::syntax::{Loaded, Sources};
 use synth_core::verdict::Verdict;
 
@@ -226,6 +227,18 @@ impl Session {
         let options = Options { limits: self.watched_limits(), ..self.options(Level::default()) };
         let verdict = pipeline::verdict(spec, &options, &mut self.timings);
         verdict.map_err(|failure| Failure::of(&failure, &loaded.sources))
+    }
+
+    /// Who wins, and the size of the game, on one state for all that differ only by interchangeable objects.
+    pub(crate) fn decide_reduced(
+        &mut self,
+        loaded: &Loaded,
+        spec: &Spec,
+        symmetry: &Symmetry,
+    ) -> Result<Reduced, Failure> {
+        let limits = self.watched_limits();
+        let reduced = symmetry::decide(spec, self.semantics(), symmetry, &limits, &mut self.timings);
+        reduced.map_err(|error| Failure::of(&error.into(), &loaded.sources))
     }
 
     /// As much of the game as the system needs to win; `None` if that was everything.

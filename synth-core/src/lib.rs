@@ -29,6 +29,7 @@ pub mod playout;
 pub mod quality;
 pub mod successors;
 mod suggest;
+pub mod symmetry;
 pub mod syntax;
 #[cfg(test)]
 mod testing;

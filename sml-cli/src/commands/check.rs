@@ -2,6 +2,7 @@
 
 mod spill;
 mod steps;
+mod symmetry;
 mod verdict;
 
 use super::plant::{self, follow::Follow};
@@ -38,6 +39,10 @@ pub(crate) struct Arguments {
     /// Only say whether the specification is realizable, and explore no more than that takes: neither figures nor warnings
     #[arg(long, conflicts_with_all = ["deny", "deny_warnings", "allow", "sequence", "spill", "follow"])]
     verdict: bool,
+    /// Explore one state for all that differ only by objects that can change places: verdict and figures are those of the whole game,
+    /// but there are neither warnings nor an explanation
+    #[arg(long, conflicts_with_all = ["deny", "deny_warnings", "allow", "sequence", "spill", "verdict", "follow"])]
+    symmetry: bool,
     /// Plants: what the controller goes by; `states` otherwise
     #[arg(long, value_enum)]
     follow: Option<Follow>,
@@ -104,6 +109,7 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
             ("--sequence", drawing.is_some()),
             ("--spill", arguments.spill.is_some()),
             ("--verdict", arguments.verdict),
+            ("--symmetry", arguments.symmetry),
         ])?;
         return plant::check::run(&given, &arguments.warnings.policy(), arguments.follow, session);
     }
@@ -111,6 +117,9 @@ pub(super) fn run(arguments: &Arguments, session: &mut Session) -> Result<Exit, 
     let loaded = session.parse(&given);
     if arguments.verdict {
         return verdict::run(&loaded, session);
+    }
+    if arguments.symmetry {
+        return symmetry::run(&loaded, session);
     }
     let spec = session.specification(&loaded)?;
     if let Some(folder) = &arguments.spill {

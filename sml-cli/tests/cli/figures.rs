@@ -166,3 +166,46 @@ fn the_verdict_alone_has_nothing_to_warn_of() {
     let run = sml("check ../plants/tank.plant --verdict --format json");
     assert_eq!((run.code, &*run.diagnostic()), (2, "SML0100"));
 }
+
+#[test]
+fn figures_up_to_symmetry_are_those_of_the_whole_game() {
+    for (name, expected) in corpus() {
+        for (semantics, figures) in expected.as_object().expect("figures by semantics") {
+            let classic = if semantics == "classic" { "--classic" } else { "" };
+            let run = sml(&format!("check {name}/spec.sml --symmetry --format json {classic}"));
+            let found = run.json();
+            for (figure, value) in figures.as_object().expect("figures") {
+                assert_eq!(&found[figure], value, "{name}, {semantics}: {figure}");
+            }
+            assert_eq!(run.code, i32::from(figures["realizable"] != true), "{name}, {semantics}");
+        }
+    }
+}
+
+#[test]
+fn what_symmetry_says_to_people() {
+    let run = sml("check arbiter_2/spec.sml --symmetry");
+    let explored = "2 objects are interchangeable: `client1`, `client2`\n7 states";
+    assert!(run.code == 0 && run.stdout.contains(explored), "{}", run.stdout);
+    let run = sml("check unreal_clash/spec.sml --symmetry");
+    let alone = "no objects are interchangeable: all states were explored\n\
+                 `sml check` without `--symmetry` says why\n";
+    assert!(run.code == 1 && run.stdout.ends_with(alone), "{}", run.stdout);
+    let run = sml("check arbiter_2/spec.sml --symmetry --max-states 5");
+    assert!(run.code == 3 && run.stderr.contains("--max-states"), "{}", run.stderr);
+    let run = sml("check arbiter_2/spec.sml --symmetry --timings");
+    assert!(
+        ["symmetry", "explore", "solve"].iter().all(|stage| run.stderr.contains(stage)),
+        "{}",
+        run.stderr
+    );
+}
+
+#[test]
+fn symmetry_has_nothing_to_warn_of() {
+    for option in ["--deny 99", "--deny-warnings", "--allow 99", "--sequence -", "--verdict", "--spill x"] {
+        assert_eq!(sml(&format!("check arbiter_2/spec.sml --symmetry {option}")).code, 2, "{option}");
+    }
+    let run = sml("check ../plants/tank.plant --symmetry --format json");
+    assert_eq!((run.code, &*run.diagnostic()), (2, "SML0100"));
+}

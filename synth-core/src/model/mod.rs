@@ -4,6 +4,7 @@
 
 mod domain;
 mod expr;
+mod permutation;
 mod scenario;
 
 pub mod resolve;
@@ -12,6 +13,7 @@ pub use domain::{
     Attribute, Class, ClassId, Domain, Enumeration, Object, ObjectId, Operation, OperationId, SlotId, Type,
 };
 pub use expr::{BinaryOp, Expr, Failure, Moment, Reads, Scope, Snapshot, UNSET, Value};
+pub use permutation::Permutation;
 pub use scenario::{
     Argument, Case, Constraint, ConstraintKind, Kind, Message, Modality, Node, NodeId, NodeKind, Role,
     RoleRef, Scenario, Variable,

@@ -18,6 +18,7 @@ mod memo;
 mod observe;
 mod offers;
 mod pattern;
+mod permute;
 mod react;
 mod reasons;
 mod relax;
