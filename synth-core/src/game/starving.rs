@@ -17,7 +17,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 const WORTH: usize = 32;
 
 /// Steps of a walk.
-const STEPS: usize = 1 << 15;
+const STEPS: usize = 1 << 12;
 
 /// The goals that may starve in the plays of a graph.
 pub(super) struct Starving<'a, G> {
