@@ -346,7 +346,9 @@ mod tests {
             let graph = OfStrategy(&strategy);
             let expected: Vec<usize> =
                 (0..3).filter(|&goal| is_missed(&game, goal, ending && goal == 2)).collect();
-            prop_assert_eq!(&fairness.missed(&graph, &[], ending, 1), &expected);
+            for threads in [1, 2, 8] {
+                prop_assert_eq!(&fairness.missed(&graph, &[], ending, threads), &expected);
+            }
             // Of the known ones it is only asked whether there are any, if there are no others.
             let known: Vec<usize> = (0..3).filter(|&goal| known[goal]).collect();
             let missed = fairness.missed(&graph, &known, ending, 1);

@@ -43,7 +43,8 @@ impl Interchangeable {
             for (position, &a) in group.iter().enumerate() {
                 group_of[a] = Some(index);
                 for &b in &group[position + 1..] {
-                    let pairs = comparison.swap(a, b).unwrap_or_default();
+                    // That they can be swapped follows from swaps with the first of the group.
+                    let pairs = comparison.renamed(a, b).unwrap_or_default();
                     for &(from, to) in &pairs {
                         join(&mut orbits, from, to);
                     }

@@ -29,7 +29,8 @@ use interchangeable::Interchangeable;
 pub struct Symmetry(Interchangeable);
 
 impl Symmetry {
-    /// Finds them. Time is about that of writing out the specification once for every two objects of a class.
+    /// Finds them. Every object is compared with one of each set of its class, for which the specification is written out once more; where
+    /// events of single objects have effects, for all pairs of a sender and a receiver.
     #[must_use]
     pub fn of(spec: &Spec) -> Self {
         Symmetry(Interchangeable::of(spec))

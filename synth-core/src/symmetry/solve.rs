@@ -59,7 +59,7 @@ impl<'g> Solver<'g> {
             }
             let (goals, promises) = game.open[state];
             pairs.push(pairs[state] + goals as usize);
-            triples.push(triples[state] + (goals * promises) as usize);
+            triples.push(triples[state] + goals as usize * promises as usize);
         }
         let mut winning = FixedBitSet::with_capacity(states);
         winning.insert_range(..);
@@ -155,7 +155,7 @@ impl<'g> Solver<'g> {
                     continue;
                 }
                 for promise in 0..promises {
-                    let triple = self.triples[state] + (goal * promises + promise) as usize;
+                    let triple = self.triples[state] + goal as usize * promises as usize + promise as usize;
                     if self.kept.contains(triple) && !self.is_kept(state, goal, promise) {
                         self.kept.set(triple, false);
                         changed = true;
@@ -192,7 +192,10 @@ impl<'g> Solver<'g> {
             return false;
         }
         let name = game.goal(edge, goal);
-        name != MET && self.kept.contains(self.triples[target] + (name * game.open[target].1 + kept) as usize)
+        name != MET
+            && self
+                .kept
+                .contains(self.triples[target] + name as usize * game.open[target].1 as usize + kept as usize)
     }
 
     /// Makes the pairs of kept triples good; whether there was any.
@@ -203,7 +206,7 @@ impl<'g> Solver<'g> {
             let mut changed = false;
             for goal in 0..goals {
                 let pair = self.pairs[state] + goal as usize;
-                let from = self.triples[state] + (goal * promises) as usize;
+                let from = self.triples[state] + goal as usize * promises as usize;
                 let is_kept = || (from..from + promises as usize).any(|triple| self.kept.contains(triple));
                 if !self.good.contains(pair) && is_kept() {
                     self.good.insert(pair);

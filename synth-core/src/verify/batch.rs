@@ -32,7 +32,7 @@ fn fill_one(block: &mut Block, nodes: &Nodes, machine: &Machine<'_>, part: Range
     let mut found = Vec::new();
     for node in part {
         let (state, control) = nodes.get(node, &mut row);
-        // Of the system's moves only the one counts that the controller makes.
+        // Of the system's moves only the one counts that the controller makes. Mistakes of the others are none of its plays.
         let by_command =
             machine.next(control).map(|event| nodes.successors.command(state, event, &mut moves));
         let is_known =
