@@ -13,6 +13,7 @@ use crate::warnings::Warnings;
 use crate::{input, output};
 use serde::Serialize;
 use serde_json::Value as Json;
+use std::fmt::Display;
 use std::path::PathBuf;
 use synth_core::controller::Level;
 use synth_core::diagnostic::{Diagnostic, render, to_json};
@@ -20,6 +21,7 @@ use synth_core::existential::Existential;
 use synth_core::explain::Explanation;
 use synth_core::model::{Kind, Spec};
 use synth_core::pipeline::{Figures, Solved};
+use synth_core::symmetry::WholeFigures;
 use synth_core::syntax::{Loaded, Sources};
 
 /// Arguments of `sml check`.
@@ -218,16 +220,14 @@ fn because<'a>(explanation: &'a Explanation, sources: &'a Sources) -> Because<'a
     }
 }
 
-/// The diagnostics hold the explanation, too.
-fn text(report: &Report, spec: &Spec, loaded: &Loaded, color: bool) -> String {
-    let Report { figures, existential, diagnostics, .. } = report;
-    let mut text = render(diagnostics, &loaded.sources, color);
-    text.push_str(&format!(
-        "{}: {}\n",
-        spec.name,
-        if figures.realizable { "realizable" } else { "not realizable" }
-    ));
-    for (name, count) in [
+/// Rows of a name and a number.
+fn rows<N: Display>(rows: impl IntoIterator<Item = (&'static str, N)>) -> String {
+    rows.into_iter().map(|(name, count)| format!("  {name:<18} {count:>10}\n")).collect()
+}
+
+/// The figures of a game.
+fn whole(figures: &WholeFigures) -> String {
+    rows([
         ("states", figures.states),
         ("transitions", figures.transitions),
         ("system states", figures.system_states),
@@ -237,9 +237,19 @@ fn text(report: &Report, spec: &Spec, loaded: &Loaded, color: bool) -> String {
         ("winning states", figures.winning_states),
         ("assumption sets", figures.assumption_sets),
         ("guarantee sets", figures.guarantee_sets),
-    ] {
-        text.push_str(&format!("  {name:<18} {count:>10}\n"));
-    }
+    ])
+}
+
+/// The diagnostics hold the explanation, too.
+fn text(report: &Report, spec: &Spec, loaded: &Loaded, color: bool) -> String {
+    let Report { figures, existential, diagnostics, .. } = report;
+    let mut text = render(diagnostics, &loaded.sources, color);
+    text.push_str(&format!(
+        "{}: {}\n",
+        spec.name,
+        if figures.realizable { "realizable" } else { "not realizable" }
+    ));
+    text.push_str(&whole(&(*figures).into()));
     for Existential { scenario, reachable, possible, witness } in existential {
         let verdict = match (reachable, possible) {
             (true, _) => "happens in the controlled system",

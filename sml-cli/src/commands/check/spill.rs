@@ -77,7 +77,7 @@ pub(super) fn report(
         return Ok(Exit::Limit);
     }
     let mut text = format!("{}: explored\n", spec.name);
-    for (name, count) in [
+    text.push_str(&super::rows([
         ("states", census.states),
         ("transitions", census.transitions),
         ("system states", census.system_states),
@@ -88,9 +88,7 @@ pub(super) fn report(
         ("guarantee sets", census.guarantee_sets),
         ("depth", census.depth),
         ("bytes on disk", census.bytes),
-    ] {
-        text.push_str(&format!("  {name:<18} {count:>10}\n"));
-    }
+    ]));
     output::print(&text)?;
     Err(failure)
 }

@@ -88,21 +88,7 @@ fn text(spec: &Spec, reduced: &Reduced, groups: &[Vec<&str>]) -> String {
     let realizable = if reduced.realizable { "realizable" } else { "not realizable" };
     let mut text = format!("{}: {realizable}\n", spec.name);
     match &reduced.figures {
-        Some(figures) => {
-            for (name, count) in [
-                ("states", figures.states),
-                ("transitions", figures.transitions),
-                ("system states", figures.system_states),
-                ("environment states", figures.environment_states),
-                ("yielded states", figures.yielded_states),
-                ("idle states", figures.idle_states),
-                ("winning states", figures.winning_states),
-                ("assumption sets", figures.assumption_sets),
-                ("guarantee sets", figures.guarantee_sets),
-            ] {
-                text.push_str(&format!("  {name:<18} {count:>10}\n"));
-            }
-        }
+        Some(figures) => text.push_str(&super::whole(figures)),
         None => text.push_str("how many states there are is not known\n"),
     }
     for group in groups {
